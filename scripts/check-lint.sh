@@ -30,7 +30,7 @@ for option in "$@"; do
 done
 cd "$(dirname "$0")/.."
 root=$PWD build=build/$preset
-readonly folders='sdk|engine|navigation|strategies|referee|replays|match|tournament|experiments|bench|apps|bridge'
+readonly folders='sdk|engine|navigation|strategies|referee|replays|match|tournament|experiments|bench|apps|bridge|python/environments'
 [ -f "$build/compile_commands.json" ] || { echo "check-lint.sh: configure first: cmake --preset $preset" >&2; exit 2; }
 
 changed_files() {

@@ -20,7 +20,7 @@ packages=(
   librandom123-dev libxxhash-dev zlib1g-dev
   libseccomp-dev libprotobuf-dev protobuf-compiler
   libxml2-utils catch2 libmpfr-dev libgmp-dev
-  python3 mypy python3-jsonschema python3-protobuf
+  python3 python3-dev python3-venv python3-pip mypy python3-jsonschema python3-protobuf
 )
 ci_packages=(
   clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev lld-19 shellcheck

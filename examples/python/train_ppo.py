@@ -25,7 +25,7 @@ from fulbito.stable_baselines import StableBaselinesVector
 
 ENVIRONMENTS = 128
 STEPS = 128  # of each environment between two updates
-HIDDEN = [128, 128]
+HIDDEN = [64, 64]
 
 
 class Progress(BaseCallback):
@@ -68,7 +68,7 @@ def layers_of(model: PPO) -> list[tuple[np.ndarray, np.ndarray]]:
 
 def task_of(known: argparse.Namespace) -> tuple[str, dict[str, Any]]:
     """Identifier and arguments of the environment."""
-    options: dict[str, Any] = {"action": "wheels", "frame_skip": known.frame_skip}
+    options: dict[str, Any] = {"action": known.action, "frame_skip": known.frame_skip}
     if known.task == "drill":
         return "fulbito/Drill-v0", {"drill": known.drill, "split": "train", **options}
     return "fulbito/VSS-v0", {"opponents": known.opponent, "mates": known.mates, "observation": "egocentric",
@@ -89,6 +89,7 @@ def arguments() -> argparse.Namespace:
         task.add_argument("--minutes", type=float, default=12.0, help="time limit (default: 12)")
         task.add_argument("--steps", type=int, default=50_000_000, help="largest number of steps")
         task.add_argument("--frame-skip", type=int, default=3, help="control ticks per action (default: 3)")
+        task.add_argument("--action", default="wheels", help="form of actions: wheels or twist (default: wheels)")
         task.add_argument("--seed", type=int, default=1, help="of training (default: 1)")
     return parser.parse_args()
 
@@ -98,8 +99,8 @@ def main() -> None:
     torch.set_num_threads(1)  # threads of torch wait for each other wherever other programs run
     name, options = task_of(known)
     envs = StableBaselinesVector(gymnasium.make_vec(name, ENVIRONMENTS, vector_kwargs={"autoreset_mode": "SameStep"}, **options))
-    settings: dict[str, Any] = dict(n_steps=STEPS, batch_size=4096, n_epochs=6, gamma=0.99, gae_lambda=0.95, ent_coef=0.002,
-                                    learning_rate=lambda left: 5e-4 * left + 5e-5, clip_range=0.2, device="cpu", seed=known.seed)
+    settings: dict[str, Any] = dict(n_steps=STEPS, batch_size=4096, n_epochs=5, gamma=0.99, gae_lambda=0.95, ent_coef=0.002,
+                                    learning_rate=7e-4, clip_range=0.2, device="cpu", seed=known.seed)
     if known.start:
         model = PPO.load(known.start / "model.zip", env=envs, **settings)
     else:

@@ -61,7 +61,7 @@ MatchConfig matchOf(nb::handle info) {
   match.robot.robot.axle_track = number(robot, "axle_track");
   match.robot.robot.max_wheel_speed = number(robot, "max_wheel_speed");
   match.rules.team_size = nb::cast<int>(info.attr("team_size"));
-  match.rules.half_seconds = nb::cast<double>(info.attr("rules")["half_seconds"]);
+  match.rules.half_seconds = nb::cast<double>(info.attr("rules")["periods"]["half_seconds"]);
   return match;
 }
 

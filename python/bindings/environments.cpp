@@ -116,7 +116,7 @@ void bindEnvironments(nb::module_& m) {
   nb::class_<Source>(m, "Source", "A source of episodes, which one environment takes.")
       .def_prop_ro(
           "shape",
-          [](const Source& source) {
+          [](const Source& source) -> ShapeDict {
             if (!source.episodes) throw StateFailure("this source of episodes belongs to an environment");
             return dictOf(source.episodes->shape());
           },

@@ -31,8 +31,8 @@ EpisodeState stateOf(const StateTuple& state) {
   return wanted;
 }
 
-nb::dict dictOf(const EpisodeShape& shape) {
-  nb::dict values;
+ShapeDict dictOf(const EpisodeShape& shape) {
+  ShapeDict values;
   values["agents"] = shape.agents;
   values["observation"] = shape.observation;
   values["bound"] = shape.bound;

@@ -25,8 +25,10 @@ StateTuple tupleOf(const EpisodeState& state);
 /// Throws UsageError for actions that are no whole numbers of float32.
 EpisodeState stateOf(const StateTuple& state);
 
+using ShapeDict = nanobind::typed<nanobind::dict, nanobind::str, nanobind::any>;
+
 /// A shape as a dict of its members.
-nanobind::dict dictOf(const EpisodeShape& shape);
+ShapeDict dictOf(const EpisodeShape& shape);
 
 /// The pixels of a picture: uint8, height x width x 3.
 nanobind::ndarray<nanobind::numpy, std::uint8_t> pixelsOf(const Canvas& canvas);

@@ -110,7 +110,7 @@ Source matchSource(const nb::kwargs& values) {
 }  // namespace
 
 void bindMatchSource(nb::module_& m) {
-  m.def("match_source", &matchSource, nb::arg("settings"),
+  m.def("match_source", &matchSource, nb::sig("def match_source(**settings: typing.Any) -> Source"),
         "A source of episodes that are matches; the arguments are those of fulbito.envs.MatchSettings.");
 }
 

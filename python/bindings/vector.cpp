@@ -35,7 +35,7 @@ class PyVector {
   }
 
  public:
-  PyVector(const nb::list& sources, int threads, int autoreset, bool remembers) {
+  PyVector(const nb::typed<nb::list, Source>& sources, int threads, int autoreset, bool remembers) {
     std::vector<std::unique_ptr<EpisodeSource>> taken;
     for (const nb::handle source : sources) {
       taken.push_back(nb::cast<Source&>(source).take());
@@ -47,7 +47,7 @@ class PyVector {
 
   /// `arrays`: for each of all 0, all 1, some 0, some 1: observations, rewards, terminated, truncated, terms,
   /// figures; then observations, figures and marks of last moments.
-  void useArrays(const nb::list& arrays) {
+  void useArrays(const nb::typed<nb::list, nb::any>& arrays) {
     const Exclusive::Use now(exclusive_, kWhat);
     VectorEnvironment& vector = open();
     const EpisodeShape& shape = vector.shape();
@@ -144,7 +144,7 @@ class PyVector {
     const nb::gil_scoped_release unlocked;
     vector_.reset();
   }
-  nb::dict shape() {
+  ShapeDict shape() {
     const Exclusive::Use now(exclusive_, kWhat);
     return dictOf(open().shape());
   }
@@ -207,8 +207,8 @@ class PyVector {
 
 void bindVector(nb::module_& m) {
   nb::class_<PyVector>(m, "Vector", "Environments over threads that write into arrays.")
-      .def(nb::init<const nb::list&, int, int, bool>(), nb::arg("sources"), nb::arg("threads"),
-           nb::arg("autoreset"), nb::arg("remembers"))
+      .def(nb::init<const nb::typed<nb::list, Source>&, int, int, bool>(), nb::arg("sources"),
+           nb::arg("threads"), nb::arg("autoreset"), nb::arg("remembers"))
       .def("use", &PyVector::useArrays, nb::arg("arrays"))
       .def("seed", &PyVector::seed, nb::arg("i"), nb::arg("seed"))
       .def("reset", &PyVector::reset, nb::arg("mask").noconvert(), nb::arg("start"))

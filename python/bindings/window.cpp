@@ -1,7 +1,8 @@
-#include <SDL.h>
 #include <memory>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/string.h>
+
+#include <SDL.h>
 
 #include "python/bindings/bind.hpp"
 #include "python/bindings/errors.hpp"
@@ -38,7 +39,8 @@ class Window {
     const int height = static_cast<int>(pixels.shape(0)), width = static_cast<int>(pixels.shape(1));
     if (closed_) return false;
     if (!window_) {
-      window_.reset(SDL_CreateWindow(title_.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height, 0));
+      window_.reset(
+          SDL_CreateWindow(title_.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height, 0));
       if (!window_) throwError("no window");
     }
     const std::unique_ptr<SDL_Surface, WindowFree> picture(SDL_CreateRGBSurfaceWithFormatFrom(
@@ -70,7 +72,8 @@ void bindWindow(nb::module_& m) {
   nb::class_<Window>(m, "Window", "A window that shows pictures, for render_mode \"human\".")
       .def(nb::init<std::string>(), nb::arg("title"))
       .def("show", &Window::show, nb::arg("pixels").noconvert(),
-           "Shows uint8 pixels of shape (height, width, 3). Returns False once the user has closed the window.");
+           "Shows uint8 pixels of shape (height, width, 3). Returns False once the user has closed the "
+           "window.");
 }
 
 }  // namespace fulbito::python

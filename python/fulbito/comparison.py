@@ -109,7 +109,7 @@ def compare(suite: str = "jung-lee-2015", navigators: Sequence[NavigatorLike] = 
         trials: layouts per block; None: the suite's.
         seed: of the layouts, 0 ... 2**64 - 1.
         only: only this layout of each block.
-        jobs: worker threads; None: all cores. Python code runs in one thread at a time.
+        jobs: worker threads; None: all cores, or one with classes, since threads that call Python wait for each other.
         robot: preset or TOML file.
         physics: profile or TOML file.
         latency: [ticks] age of observations, 0 ... 60.
@@ -134,7 +134,7 @@ def compare(suite: str = "jung-lee-2015", navigators: Sequence[NavigatorLike] = 
         if value is not None and not least <= value < 2**31 and not (name in ("seed", "only") and 0 <= value < 2**64):
             raise UsageError(f"{name} = {value} is below {least} or too large")
     config.speeds, config.trials, config.seed = list(speeds), trials or 0, seed
-    config.only, config.jobs, config.traces = only, jobs or 0, traces
+    config.only, config.jobs, config.traces = only, jobs or (1 if own else 0), traces
     config.sensors = (latency, noise, dropout)
     with Bar(progress, f"compare {suite}", "trial") as bar:
         return Comparison(_core.compare(config, own, bar.work if progress else None))

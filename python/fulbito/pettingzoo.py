@@ -24,7 +24,7 @@ Observation = NDArray[np.float32]
 _TEAMS = ("blue", "yellow")
 
 
-class MatchParallelEnv(ParallelEnv[str, Observation, Any]):
+class MatchParallelEnv(ParallelEnv[str, Observation, Any]):  # type: ignore[misc]
     """A match whose agents are robots: blue_0 ... and yellow_0 .... Each sees and acts in the frame of its own team,
     which attacks toward +x, so that one policy can play for all. All agents stay to the end of the episode."""
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs every command that README, CONTRIBUTING and docs show in ```sh blocks, in a folder of its own, with the given program as
-# `fulbito`. Lines that begin with scripts/, cmake, ctest, git or sudo are for the reader's checkout: .ci/run runs those scripts.
+# `fulbito`. Lines that begin with scripts/, cmake, ctest, git or pip are for the reader's checkout: .ci/run runs those scripts.
 # Usage: tests/examples/run.sh PROGRAM [PAGES]
 set -euo pipefail
 program=$(realpath "${1:?Usage: tests/examples/run.sh PROGRAM [PAGES]}")
@@ -23,7 +23,7 @@ for page in "${pages[@]}"; do
   while IFS= read -r line; do
     case "$line" in
       fulbito* | SDL_VIDEODRIVER=dummy\ fulbito* | build/release/fulbito* | make\ -C\ * | sh\ *test.sh | cp\ -r\ * | sed\ -i\ *) ;;
-      scripts/* | cmake* | ctest* | git* | cd* | '#'* | '') continue ;;
+      scripts/* | cmake* | ctest* | git* | pip\ install* | cd* | '#'* | '') continue ;;
       *) echo "${page#"$root"/}: a command that this check does not know: $line" >&2; exit 1 ;;
     esac
     line=${line/#build\/release\/fulbito/fulbito}

@@ -220,32 +220,33 @@ int MatchEnvironment::playTick(std::span<double> terms) {
   const Side blue_side = referee.blue_side;
   match_->advance();
   const PerTeam<int> goals{goalsOf(referee, 0) - score[0], goalsOf(referee, 1) - score[1]};
-  if (task_.reward == RewardForm::kShaped) measure({}, goals, blue_side, terms);
+  if (task_.reward == RewardForm::kShaped) measure(goals, blue_side, terms);
   return goals[0] + goals[1];
 }
 
-void MatchEnvironment::measure(RewardTick tick, PerTeam<int> goals, Side blue_side, std::span<double> terms) {
+void MatchEnvironment::measure(PerTeam<int> goals, Side blue_side, std::span<double> terms) {
   const WorldState& after = match_->world();
+  const Vec2 ball_before = before_.balls.front().position, ball_after = after.balls.front().position;
+  const FieldGeometry& field = task_.match.field;
+  const double gained = ballPotential(field, ball_after) - ballPotential(field, ball_before);
+  RewardTick tick;
   tick.dt = task_.match.physics.controlPeriod();
   const std::size_t count = shape_.terms.size();
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const RobotId id = agents_[i].id;
     const std::size_t team = indexOf(id.team);
-    const Side side = id.team == TeamId::kBlue ? blue_side : opposite(blue_side);
-    tick.ball_before = inTeamFrame(side, before_.balls.front().position);
-    tick.ball_after = inTeamFrame(side, after.balls.front().position);
-    tick.robot_before = tick.ball_before;
-    tick.robot_after = tick.ball_after;
+    const bool left = (id.team == TeamId::kBlue ? blue_side : opposite(blue_side)) == Side::kLeft;
+    tick.gained = left ? gained : -gained;
+    tick.nearer = 0.0;
     tick.wheels = {};
     if (const auto robot = indexIn(match_->ids(), id)) {
-      tick.robot_before = inTeamFrame(side, before_.robots[*robot].pose.position);
-      tick.robot_after = inTeamFrame(side, after.robots[*robot].pose.position);
+      tick.nearer = distance(before_.robots[*robot].pose.position, ball_before) -
+                    distance(after.robots[*robot].pose.position, ball_after);
       tick.wheels = ear_.wheels[*robot];
     }
     tick.goals = goals[team] - goals[1 - team];
     tick.fouls = ear_.fouls[team];
-    addShaped(tick, task_.weights, task_.match.field, task_.match.robot.robot,
-              terms.subspan(i * count, count));
+    addShaped(tick, task_.weights, task_.match.robot.robot.max_wheel_speed, terms.subspan(i * count, count));
   }
 }
 
@@ -274,7 +275,7 @@ void MatchEnvironment::observe(const EpisodeView& out, bool first) {
     AgentSlot& slot = *slots_[indexOf(team)];
     // After the last tick no team sees the end of it.
     if (match_->phase() != MatchPhase::kDeciding) slot.seen = truthFor(*match_, team);
-    const Facings facings(slot.seen);
+    const Facings facings = writer_.facingsOf(slot.seen);
     for (std::size_t i = 0; i < agents_.size(); ++i) {
       if (agents_[i].id.team != team) continue;
       const std::span<float> all = out.observations.subspan(i * shape_.observation, shape_.observation);

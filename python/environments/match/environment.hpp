@@ -64,7 +64,7 @@ class MatchEnvironment final : public EpisodeSource {
   void command(std::span<const float> actions);
   void playSkills();
   int playTick(std::span<double> terms);
-  void measure(RewardTick tick, PerTeam<int> goals, Side blue_side, std::span<double> terms);
+  void measure(PerTeam<int> goals, Side blue_side, std::span<double> terms);
   bool measureCompat(std::span<double> terms);
   void observe(const EpisodeView& out, bool first);
   void pile(std::vector<float>& seen, std::span<float> all, bool first) const;

@@ -15,32 +15,34 @@ constexpr double kManyGoals = 10.0;                                 // ahead: th
 
 }  // namespace
 
-/// Writes numbers one after the other, within the bound.
+/// Writes numbers one after the other.
 class ObservationWriter::Numbers {
  public:
-  Numbers(std::span<float> out, float bound) : out_(out), bound_(bound) {}
+  explicit Numbers(std::span<float> out) : begin_(out.data()), next_(begin_) {}
 
-  void add(double value) {
-    const auto number = static_cast<float>(value);
-    const float kept = std::clamp(number, -bound_, bound_);
-    clipped_ += kept == number ? 0 : 1;
-    out_[at_++] = kept;
-  }
+  void add(double value) { *next_++ = static_cast<float>(value); }
   void add(Vec2 v) {
     add(v.x);
     add(v.y);
   }
   void skip(std::size_t count) {
-    std::fill_n(out_.begin() + static_cast<std::ptrdiff_t>(at_), count, 0.0f);
-    at_ += count;
+    std::fill_n(next_, count, 0.0f);
+    next_ += count;
   }
-  int clipped() const { return clipped_; }
+  /// Brings all numbers within the bound. @return how many were beyond it
+  int clip(float bound) {
+    int clipped = 0;
+    for (float* number = begin_; number != next_; ++number) {
+      const float kept = std::clamp(*number, -bound, bound);
+      clipped += kept == *number ? 0 : 1;
+      *number = kept;
+    }
+    return clipped;
+  }
 
  private:
-  std::span<float> out_;
-  float bound_;
-  std::size_t at_ = 0;
-  int clipped_ = 0;
+  float* begin_;
+  float* next_;
 };
 
 Facings::Facings(const Observation& seen) {
@@ -55,9 +57,10 @@ ObservationWriter::ObservationWriter(ObservationForm form, const MatchConfig& ma
       field_(match.field),
       robot_(match.robot.robot),
       half_seconds_(match.rules.half_seconds),
-      top_wheel_(match.robot.robot.max_wheel_speed),
-      top_speed_(match.robot.robot.maxSpeed()),
-      top_yaw_(2.0 * top_speed_ / match.robot.robot.axle_track),
+      per_place_(2.0 / match.field.length),
+      per_speed_(1.0 / match.robot.robot.maxSpeed()),
+      per_yaw_(match.robot.robot.axle_track / (2.0 * match.robot.robot.maxSpeed())),
+      per_wheel_(1.0 / match.robot.robot.max_wheel_speed),
       team_(static_cast<std::size_t>(match.rules.team_size)) {
   size_ = kBall + kSelf + (2 * team_ - 1) * kOther + kGame;
   if (form == ObservationForm::kEgocentric) size_ = Sight(team_).size();
@@ -79,10 +82,10 @@ float ObservationWriter::bound() const {
 void ObservationWriter::addRobot(const ObservedRobot& robot, Vec2 facing, Numbers& numbers) const {
   if (!robot.present) return numbers.skip(kOther);
   numbers.add(1.0);
-  numbers.add(robot.state.pose.position / (field_.length / 2));
+  numbers.add(robot.state.pose.position * per_place_);
   numbers.add(facing);
-  numbers.add(robot.state.velocity / top_speed_);
-  numbers.add(robot.state.angular_velocity / top_yaw_);
+  numbers.add(robot.state.velocity * per_speed_);
+  numbers.add(robot.state.angular_velocity * per_yaw_);
 }
 
 void ObservationWriter::addGame(const Observation& seen, Numbers& numbers) const {
@@ -94,19 +97,20 @@ void ObservationWriter::addGame(const Observation& seen, Numbers& numbers) const
 std::size_t ObservationWriter::stateSize() const { return kBall + 2 * team_ * kOther + kGame; }
 
 void ObservationWriter::writeState(const Observation& seen, std::span<float> out) const {
-  Numbers numbers(out, kObservedBound);
-  numbers.add(seen.ball.position / (field_.length / 2));
-  numbers.add(seen.ball.velocity / top_speed_);
+  Numbers numbers(out);
+  numbers.add(seen.ball.position * per_place_);
+  numbers.add(seen.ball.velocity * per_speed_);
   const Facings facings(seen);
   for (std::size_t i = 0; i < team_; ++i) addRobot(seen.own[i], facings.robots[0][i], numbers);
   for (std::size_t i = 0; i < team_; ++i) addRobot(seen.opponents[i], facings.robots[1][i], numbers);
   addGame(seen, numbers);
+  (void)numbers.clip(kObservedBound);
 }
 
 int ObservationWriter::write(const Observation& seen, const Facings& facings, std::size_t robot,
                              std::span<float> out) const {
   if (form_ == ObservationForm::kCompat) return writeCompat(seen, out);
-  Numbers numbers(out, kObservedBound);
+  Numbers numbers(out);
   if (!seen.own[robot].present) {
     numbers.skip(out.size());
     return 0;
@@ -117,13 +121,13 @@ int ObservationWriter::write(const Observation& seen, const Facings& facings, st
     return Sight(team_).write(moment, out);
   }
   const RobotState& self = seen.own[robot].state;
-  numbers.add(seen.ball.position / (field_.length / 2));
-  numbers.add(seen.ball.velocity / top_speed_);
-  numbers.add(self.pose.position / (field_.length / 2));
+  numbers.add(seen.ball.position * per_place_);
+  numbers.add(seen.ball.velocity * per_speed_);
+  numbers.add(self.pose.position * per_place_);
   numbers.add(facings.robots[0][robot]);
-  numbers.add(self.velocity / top_speed_);
-  numbers.add(self.angular_velocity / top_yaw_);
-  numbers.add(Vec2{self.wheels.left, self.wheels.right} / top_wheel_);
+  numbers.add(self.velocity * per_speed_);
+  numbers.add(self.angular_velocity * per_yaw_);
+  numbers.add(Vec2{self.wheels.left, self.wheels.right} * per_wheel_);
   for (std::size_t i = 0; i < team_; ++i) {
     if (i != robot) addRobot(seen.own[i], facings.robots[0][i], numbers);
   }
@@ -131,7 +135,7 @@ int ObservationWriter::write(const Observation& seen, const Facings& facings, st
     addRobot(seen.opponents[i], facings.robots[1][i], numbers);
   }
   addGame(seen, numbers);
-  return numbers.clipped();
+  return numbers.clip(kObservedBound);
 }
 
 }  // namespace fulbito

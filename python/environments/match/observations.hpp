@@ -14,6 +14,7 @@ inline constexpr float kObservedBound = 3.0f;
 
 /// Unit vectors of the headings of all robots of an observation, which several agents of a team share.
 struct Facings {
+  Facings() = default;
   explicit Facings(const Observation& seen);
   PerTeam<std::array<Vec2, kMaxTeamSize>> robots{};  ///< own, then opponents; 0 for absent ones
 };
@@ -27,11 +28,19 @@ class ObservationWriter {
   std::size_t size() const { return size_; }
   /// Largest absolute value of its numbers.
   float bound() const;
+  /// The facings of `seen` if this form needs them.
+  Facings facingsOf(const Observation& seen) const {
+    return form_ == ObservationForm::kAbsolute ? Facings(seen) : Facings();
+  }
   /// Writes the observation of one robot of the team that sees it. An absent robot sees zeros.
-  /// @param facings  of `seen`
+  /// @param facings  `facingsOf(seen)`
   /// @param out  `size` numbers
   /// @return how many numbers were clipped to the bound
   int write(const Observation& seen, const Facings& facings, std::size_t robot, std::span<float> out) const;
+  /// The same for one robot.
+  int write(const Observation& seen, std::size_t robot, std::span<float> out) const {
+    return write(seen, facingsOf(seen), robot, out);
+  }
 
   /// Numbers of the state of a whole world.
   std::size_t stateSize() const;
@@ -47,9 +56,10 @@ class ObservationWriter {
   FieldGeometry field_;
   RobotModel robot_;
   double half_seconds_;
-  double top_wheel_;  ///< [rad/s]
-  double top_speed_;  ///< [m/s]
-  double top_yaw_;    ///< [rad/s]
+  double per_place_;  ///< [1/m] scales of the numbers
+  double per_speed_;  ///< [s/m]
+  double per_yaw_;    ///< [s/rad]
+  double per_wheel_;  ///< [s/rad]
   std::size_t team_;  ///< robots per team
   std::size_t size_;
 };

@@ -1,5 +1,7 @@
 """The Gymnasium environment of one agent over a source of episodes."""
 
+import copy
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -104,14 +106,15 @@ class EpisodeEnv(gymnasium.Env[NDArray[np.float32], Any]):
         shape = source.shape
         if shape["agents"] != 1:
             raise UsageError("this environment has one agent; fulbito.pettingzoo has those with more")
-        self.observation_space = observation_space_of(shape)
+        self.observation_space: spaces.Space[Any] = observation_space_of(shape)
         self.action_space = action_space_of(shape)
-        self._action_shape = (shape["action"],)
-        self._single = bool(shape["choices"])
+        self._action_shape: tuple[int, ...] = () if shape["choices"] else (shape["action"],)
         self._names = tuple(f"reward_{term}" for term in shape["terms"]) + tuple(shape["figures"])
         self._observation = np.zeros(shape["observation"], np.float32)
         self._numbers = np.zeros(1 + len(self._names))
         self._seeded = False
+        self._window: _core.Window | None = None
+        self._shown_at = 0.0
         self._core = _core.Environment(source, self._observation, self._numbers)
 
     def reset(self, *, seed: int | None = None,
@@ -148,8 +151,6 @@ class EpisodeEnv(gymnasium.Env[NDArray[np.float32], Any]):
         "reward_NAME", and the figures of the environment. Raises StateError before `reset`, after the end of an
         episode and after `close`.
         """
-        if self._single:
-            action = np.reshape(action, (1,))
         end = self._core.step(checked_actions(action, self._action_shape))
         if self.render_mode == "human":
             self.render()
@@ -159,13 +160,21 @@ class EpisodeEnv(gymnasium.Env[NDArray[np.float32], Any]):
     def _info(self) -> Info:
         return dict(zip(self._names, self._numbers.tolist()[1:]))
 
-    def render(self) -> NDArray[np.uint8] | None:  # type: ignore[override]
-        """A picture of the present moment with "rgb_array"; with "human" the window shows it."""
+    def render(self) -> NDArray[np.uint8] | None:
+        """With "rgb_array" a picture of the present moment, uint8 of shape (height, width, 3). With "human" the window
+        shows it, at most 60 times per second; FileError if there is no screen."""
         if self.render_mode is None:
             gymnasium.logger.warn("render() without a render_mode: pass one to make()")
             return None
-        picture = self._core.picture(self.render_width)
-        return picture
+        picture: NDArray[np.uint8] = self._core.picture(self.render_width)
+        if self.render_mode == "rgb_array":
+            return picture
+        if self._window is None:
+            self._window = _core.Window("fulbito")
+        self._window.show(picture)
+        time.sleep(max(0.0, self._shown_at + 1 / self.metadata["render_fps"] - time.monotonic()))
+        self._shown_at = time.monotonic()
+        return None
 
     def get_state(self) -> EpisodeState:
         """The state as a value: an environment of the same settings plays on from it as this one would. It costs
@@ -183,7 +192,6 @@ class EpisodeEnv(gymnasium.Env[NDArray[np.float32], Any]):
 
     def copy(self) -> "EpisodeEnv":
         """A new environment in the same state."""
-        import copy
         return copy.deepcopy(self)
 
     def record(self, file: str) -> None:
@@ -192,11 +200,12 @@ class EpisodeEnv(gymnasium.Env[NDArray[np.float32], Any]):
 
     def close(self) -> None:
         """Ends the episode, and its recording. May be called twice."""
+        self._window = None
         self._core.close()
 
     def __getstate__(self) -> dict[str, Any]:
         kept = {name: value for name, value in self.__dict__.items() if name not in ("_core", "_window")}
-        return {**kept, "_state": self.get_state()}
+        return {**kept, "_window": None, "_state": self.get_state()}
 
     def __setstate__(self, kept: dict[str, Any]) -> None:
         state = kept.pop("_state")

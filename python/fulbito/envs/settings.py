@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from fulbito import _core
+from fulbito.errors import UsageError
 
 __all__ = ["ActionForm", "MatchSettings", "ObservationForm"]
 
@@ -72,8 +73,13 @@ class MatchSettings:
     def source(self) -> _core.Source:
         """A new source of such episodes."""
         values = {name: getattr(self, name) for name in self.__dataclass_fields__}
-        for name in ("blue_agents", "yellow_agents"):
-            values[name] = list(values[name])
-        for name in ("randomise", "rewards"):
-            values[name] = dict(values[name])
+        kinds: dict[str, tuple[type, str]] = {"blue_agents": (list, "list of robot numbers"),
+                                              "yellow_agents": (list, "list of robot numbers"),
+                                              "randomise": (dict, "dict of pairs of numbers"),
+                                              "rewards": (dict, "dict of numbers")}
+        for name, (kind, words) in kinds.items():
+            try:
+                values[name] = kind(values[name])
+            except (TypeError, ValueError) as error:
+                raise UsageError(f"{name}: {values[name]!r} is no {words}") from error
         return _core.match_source(**values)

@@ -114,7 +114,7 @@ class EpisodeVectorEnv(VectorEnv[NDArray[np.float32], Any, Any]):
         """Threads that step, the caller's included."""
         return self._core.threads
 
-    def reset(self, *, seed: int | Sequence[int | None] | None = None,  # type: ignore[override]
+    def reset(self, *, seed: int | Sequence[int | None] | None = None,
               options: dict[str, Any] | None = None) -> tuple[NDArray[np.float32], Info]:
         """Begins episodes.
 
@@ -213,7 +213,7 @@ class EpisodeVectorEnv(VectorEnv[NDArray[np.float32], Any, Any]):
             self._core.restore(i, state.as_tuple())
         self._seeded = True
 
-    def render(self) -> tuple[NDArray[np.uint8], ...] | None:  # type: ignore[override]
+    def render(self) -> tuple[NDArray[np.uint8], ...] | None:
         """A picture of each environment, uint8 of shape (height, width, 3)."""
         if self.render_mode is None:
             gymnasium.logger.warn("render() without a render_mode: pass one to make_vec()")
