@@ -77,7 +77,7 @@ class Agent {
     }
     std::vector<float> numbers(writer_.size());
     const Observation seen = observationOf(now);
-    writer_.write(seen, Facings(seen), static_cast<std::size_t>(robot), numbers);
+    writer_.write(seen, static_cast<std::size_t>(robot), numbers);
     const std::size_t size = numbers.size();
     return arrayOf(std::move(numbers), {size});
   }
