@@ -3,6 +3,7 @@
 import argparse
 import json
 import time
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -10,7 +11,7 @@ import numpy as np
 import fulbito.envs  # noqa: F401
 
 
-def play(name: str, episodes: int, seed: int, settings: dict[str, object]) -> str:
+def play(name: str, episodes: int, seed: int, settings: dict[str, Any]) -> str:
     """Plays episodes with uniform random actions and returns their results as text."""
     count = min(64, episodes)
     vector = gymnasium.make_vec(name, count, vectorization_mode="vector_entry_point", **settings)
