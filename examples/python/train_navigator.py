@@ -193,7 +193,8 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1, help="seed of training (default: 1)")
     parser.add_argument("--suites", nargs="+", default=SUITES, help=f"suites to train on (default: {' '.join(SUITES)})")
     options = parser.parse_args()
-    trainer, began, successes = Trainer(options.envs, options.seed, options.suites), time.monotonic(), []
+    trainer, began = Trainer(options.envs, options.seed, options.suites), time.monotonic()
+    successes: list[float] = []
     for round_number in range(1, options.rounds + 1):
         data = trainer.rollout()
         successes = (successes + data.successes)[-2000:]

@@ -1,5 +1,7 @@
 """The vector of environments: Gymnasium's autoreset modes, threads, send and recv, states."""
 
+# pyright: reportPossiblyUnboundVariable=false
+
 import hashlib
 import os
 import subprocess
@@ -68,6 +70,7 @@ def test_it_plays_what_single_environments_play(mode: AutoresetMode) -> None:
 def test_the_caller_resets_where_the_vector_does_not() -> None:
     vector = make(3, autoreset_mode=AutoresetMode.DISABLED, time_limit=0.5)
     vector.reset(seed=1)
+    terminated = truncated = np.zeros(3, np.bool_)
     for actions in actions_of(vector, 30):
         _, _, terminated, truncated, _ = vector.step(actions)
     ended = terminated | truncated

@@ -1,5 +1,7 @@
 """fulbito/VSS-v0 and fulbito/VSSCompat-v0: conformance, seeds, states, settings."""
 
+# pyright: reportPossiblyUnboundVariable=false
+
 import copy
 import pickle
 import warnings
@@ -161,7 +163,7 @@ def test_a_whole_match_goes_through_its_halves() -> None:
 class Ahead(fulbito.team.Team):
     """All robots drive ahead."""
 
-    def decide(self, observation: Any) -> Any:
+    def decide(self, seen: Any) -> Any:
         commands = fulbito.team.Commands()
         for number in range(3):
             commands.wheels(number, 20.0, 20.0)
@@ -171,7 +173,7 @@ class Ahead(fulbito.team.Team):
 class Broken(fulbito.team.Team):
     """It raises."""
 
-    def decide(self, observation: Any) -> Any:
+    def decide(self, seen: Any) -> Any:
         raise RuntimeError("no idea")
 
 
