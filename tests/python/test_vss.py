@@ -3,6 +3,7 @@
 # pyright: reportPossiblyUnboundVariable=false
 
 import copy
+import os
 import pickle
 import warnings
 from pathlib import Path
@@ -18,6 +19,7 @@ import fulbito.envs
 import fulbito.team
 from gymnasium.utils.env_checker import check_env
 
+os.environ.setdefault("SDL_VIDEODRIVER", "dummy")  # windows without a screen
 IDS = ["fulbito/VSS-v0", "fulbito/VSSCompat-v0"]
 FORMS: list[dict[str, Any]] = [
     {"action": "twist", "observation": "egocentric", "stack": 3, "frame_skip": 4},
@@ -221,6 +223,15 @@ def test_pictures_have_pixels(name: str) -> None:
     env.reset(seed=1)
     picture = env.render()
     assert picture.dtype == np.uint8 and picture.shape[1:] == (600, 3) and picture.std() > 10
+
+
+def test_a_window_shows_each_step() -> None:
+    env = gymnasium.make("fulbito/VSS-v0", render_mode="human", render_width=300)
+    env.reset(seed=1)
+    for _ in range(5):
+        env.step(np.ones(2, np.float32))
+    assert env.render() is None
+    env.close()
 
 
 def test_chosen_episodes_are_recorded(tmp_path: Path) -> None:
