@@ -9,6 +9,7 @@ that `fulbito compare` never uses. Equal arguments give the same weights on the 
 import argparse
 import itertools
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -93,7 +94,7 @@ class Rollout:
 class Trainer:
     """Policy, critic and environments."""
 
-    def __init__(self, envs: int, seed: int) -> None:
+    def __init__(self, envs: int, seed: int, suites: Sequence[str]) -> None:
         self.random = np.random.default_rng(seed)
         self.policy = Network(2, 0.01, self.random)
         self.critic = Network(1, 1.0, self.random)
@@ -101,7 +102,7 @@ class Trainer:
         self.policy_step = Adam([*self.policy.layers, self.spread])
         self.critic_step = Adam(self.critic.layers)
         tasks = itertools.cycle([NavigateSettings(suite=suite, speed=speed, action="heading", frame_skip=2,
-                                                  ends_at_contact=True) for suite in SUITES for speed in SPEEDS])
+                                                  ends_at_contact=True) for suite in suites for speed in SPEEDS])
         self.envs = EpisodeVectorEnv(lambda: next(tasks).source(), envs, autoreset_mode=AutoresetMode.SAME_STEP)
         self.seen = scaled(self.envs.reset(seed=seed)[0])
         self.scale, self.gains = 1.0, np.zeros(envs)  # of returns
@@ -190,8 +191,10 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=800, help="rollouts of 64 steps per environment (default: 800)")
     parser.add_argument("--envs", type=int, default=108, help="environments (default: 108)")
     parser.add_argument("--seed", type=int, default=1, help="seed of training (default: 1)")
+    parser.add_argument("--suites", nargs="+", default=SUITES, help=f"suites to train on (default: {' '.join(SUITES)})")
     options = parser.parse_args()
-    trainer, began, successes = Trainer(options.envs, options.seed), time.monotonic(), []
+    trainer, began = Trainer(options.envs, options.seed, options.suites), time.monotonic()
+    successes: list[float] = []
     for round_number in range(1, options.rounds + 1):
         data = trainer.rollout()
         successes = (successes + data.successes)[-2000:]

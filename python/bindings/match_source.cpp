@@ -112,6 +112,9 @@ Source matchSource(const nb::kwargs& values) {
 void bindMatchSource(nb::module_& m) {
   m.def("match_source", &matchSource, nb::sig("def match_source(**settings: typing.Any) -> Source"),
         "A source of episodes that are matches; the arguments are those of fulbito.envs.MatchSettings.");
+  m.def(
+      "team_size", [](const std::string& rules) { return valueOf(loadRules(rules)).team_size; },
+      nb::arg("rules"), "Robots per team of the rules.");
 }
 
 }  // namespace fulbito::python

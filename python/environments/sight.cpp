@@ -131,7 +131,7 @@ void writeNearest(Eyes& eyes, Vec2 from, const std::array<ObservedRobot, kMaxTea
   }
 }
 
-void writeTask(Eyes& eyes, const Sight::Moment& moment) {
+void writeTask(Eyes& eyes, const RobotSight::Moment& moment) {
   constexpr std::size_t kNumbers = 6;
   if (moment.task == DrillTask::kPlay || moment.exercise == nullptr) return eyes.zeros(kNumbers);
   const Exercise& exercise = *moment.exercise;
@@ -143,11 +143,11 @@ void writeTask(Eyes& eyes, const Sight::Moment& moment) {
 
 }  // namespace
 
-std::vector<SightEntry> Sight::entries() const { return entriesOfAll(team_); }
+std::vector<SightEntry> RobotSight::entries() const { return entriesOfAll(team_); }
 
-std::size_t Sight::size() const { return kOfOthers + (2 * team_ - 1) * kOfRobot; }
+std::size_t RobotSight::size() const { return kOfOthers + (2 * team_ - 1) * kOfRobot; }
 
-int Sight::write(const Moment& moment, std::span<float> out) const {
+int RobotSight::write(const Moment& moment, std::span<float> out) const {
   const Observation& seen = moment.seen;
   const RobotModel& model = moment.model;
   const RobotState& self = seen.own[moment.robot].state;

@@ -22,10 +22,10 @@ inline constexpr float kSightBound = 4.0f;
 
 /// The game as one robot sees it, in numbers with x ahead of the robot. They are the same for all drills and
 /// for matches, so that a policy can learn one after the other.
-class Sight {
+class RobotSight {
  public:
   /// @param team  robots per team
-  explicit Sight(std::size_t team) : team_(team) {}
+  explicit RobotSight(std::size_t team) : team_(team) {}
 
   /// All numbers, in their order.
   std::vector<SightEntry> entries() const;

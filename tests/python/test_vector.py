@@ -71,7 +71,7 @@ def test_the_caller_resets_where_the_vector_does_not() -> None:
         _, _, terminated, truncated, _ = vector.step(actions)
     ended = terminated | truncated
     assert ended.all()
-    before = vector.unwrapped._all[0].observations, vector.unwrapped._all[1].observations
+    before = [rows.out[0] for rows in vector.unwrapped._all]
     with pytest.raises(fulbito.StateError, match="environment 0 has no episode"):
         vector.step(actions)
     observations, _ = vector.reset(options={"reset_mask": np.array([True, False, True])})

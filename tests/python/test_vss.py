@@ -13,6 +13,7 @@ gymnasium = pytest.importorskip("gymnasium")
 
 import fulbito
 import fulbito.envs
+import fulbito.team
 from gymnasium.utils.env_checker import check_env
 
 IDS = ["fulbito/VSS-v0", "fulbito/VSSCompat-v0"]
@@ -157,13 +158,59 @@ def test_a_whole_match_goes_through_its_halves() -> None:
     assert 500 < steps < 1000 and info["seconds"] > 500
 
 
-def test_a_team_of_this_process_plays() -> None:
-    class Still(fulbito.team.Team):  # type: ignore[name-defined]
-        def decide(self, observation: Any) -> Any:
-            return None
+class Ahead(fulbito.team.Team):
+    """All robots drive ahead."""
 
-    with_class = gymnasium.make("fulbito/VSS-v0", opponents="idle", mates="idle")
-    assert len(trace(with_class, 1, 10)) > 10
+    def decide(self, observation: Any) -> Any:
+        commands = fulbito.team.Commands()
+        for number in range(3):
+            commands.wheels(number, 20.0, 20.0)
+        return commands
+
+
+class Broken(fulbito.team.Team):
+    """It raises."""
+
+    def decide(self, observation: Any) -> Any:
+        raise RuntimeError("no idea")
+
+
+def full_speed(observations: Any) -> Any:
+    """A policy."""
+    assert observations.dtype == np.float32
+    return np.full((len(observations), 2), 20.0 / 46.08, np.float32)
+
+
+def test_teams_and_policies_of_this_process_play() -> None:
+    ours = gymnasium.make("fulbito/VSS-v0", opponents=Ahead, mates=Ahead)
+    assert trace(ours, 1, 200) == trace(gymnasium.make("fulbito/VSS-v0", opponents=Ahead, mates=Ahead), 1, 200)
+    policy = gymnasium.make("fulbito/VSS-v0", opponents=full_speed, mates=full_speed, robot=1)
+    team = gymnasium.make("fulbito/VSS-v0", opponents=Ahead, mates=Ahead, robot=1)
+    seen, same = policy.reset(seed=2)[0], team.reset(seed=2)[0]
+    for _ in range(60):
+        np.testing.assert_allclose(seen, same, atol=1e-5)
+        seen, same = policy.step(np.ones(2))[0], team.step(np.ones(2))[0]
+    copied = copy.deepcopy(policy.unwrapped)
+    np.testing.assert_array_equal(copied.step(np.ones(2))[0], policy.step(np.ones(2))[0])
+
+
+def test_policies_drive_the_others_of_a_vector() -> None:
+    vector = gymnasium.make_vec("fulbito/VSS-v0", 3, opponents=full_speed, robot=2)
+    single = gymnasium.make("fulbito/VSS-v0", opponents=full_speed, robot=2)
+    observations, seen = vector.reset(seed=5)[0], single.reset(seed=6)[0]
+    for _ in range(100):
+        np.testing.assert_array_equal(observations[1], seen)
+        observations, rewards, *_ = vector.step(np.ones((3, 2), np.float32))
+        seen, reward, *_ = single.step(np.ones(2, np.float32))
+        assert rewards.shape == (3,) and rewards[1] == reward
+
+
+def test_what_a_team_raises_is_told() -> None:
+    env = gymnasium.make("fulbito/VSS-v0", opponents=Broken)
+    with pytest.raises(fulbito.TeamError, match="no idea") as caught:
+        env.reset(seed=1)
+        env.step(np.zeros(2, np.float32))
+    assert isinstance(caught.value.__cause__, RuntimeError)
 
 
 @pytest.mark.parametrize("name", IDS)

@@ -77,7 +77,7 @@ void bindDrillSource(nb::module_& m) {
   m.def("drill_starts", &drillStarts, nb::arg("settings"),
         "Names of a drill's starts, by `drill` or `file`.");
   m.def(
-      "drill_sight", [] { return tableOf(Sight(3).entries()); },
+      "drill_sight", [] { return tableOf(RobotSight(3).entries()); },
       "The numbers of an observation in order: name, unit, meaning.");
 }
 

@@ -53,7 +53,7 @@ std::vector<int> ownRobots(const Drill& drill, const DrillStart& start) {
 
 EpisodeShape shapeOf(const DrillSettings& settings) {
   EpisodeShape shape;
-  shape.observation = Sight(kTeam).size();
+  shape.observation = RobotSight(kTeam).size();
   shape.bound = kSightBound;
   shape.action = actionSize(settings);
   shape.terms.assign(kDrillTerms.begin(), kDrillTerms.end());
@@ -270,9 +270,9 @@ void DrillEnvironment::tell(const EpisodeView& out) const {
   const DrillWatch& watch = trial_->watch();
   const double share = std::clamp(watch.elapsed() / watch.duration(), 0.0, 1.0);
   const MatchInfo& info = slot_->info;
-  Sight(kTeam).write({slot_->seen, info.field, info.robot, static_cast<std::size_t>(robot_),
-                      trial_->start().task, &trial_->scene().exercise, share},
-                     out.observations);
+  RobotSight(kTeam).write({slot_->seen, info.field, info.robot, static_cast<std::size_t>(robot_),
+                           trial_->start().task, &trial_->scene().exercise, share},
+                          out.observations);
   const DrillTrial verdict = watch.trial(0.0);
   out.figures[0] = verdict.success ? 1.0 : 0.0;
   out.figures[1] = verdict.success ? verdict.time : std::max(0.0, watch.elapsed());

@@ -63,7 +63,7 @@ ObservationWriter::ObservationWriter(ObservationForm form, const MatchConfig& ma
       per_wheel_(1.0 / match.robot.robot.max_wheel_speed),
       team_(static_cast<std::size_t>(match.rules.team_size)) {
   size_ = kBall + kSelf + (2 * team_ - 1) * kOther + kGame;
-  if (form == ObservationForm::kEgocentric) size_ = Sight(team_).size();
+  if (form == ObservationForm::kEgocentric) size_ = RobotSight(team_).size();
   if (form == ObservationForm::kCompat) size_ = kCompatNumbers;
 }
 
@@ -116,9 +116,9 @@ int ObservationWriter::write(const Observation& seen, const Facings& facings, st
     return 0;
   }
   if (form_ == ObservationForm::kEgocentric) {
-    Sight::Moment moment{seen, field_, robot_, robot};
+    RobotSight::Moment moment{seen, field_, robot_, robot};
     moment.elapsed = 1.0 - seen.remaining / half_seconds_;
-    return Sight(team_).write(moment, out);
+    return RobotSight(team_).write(moment, out);
   }
   const RobotState& self = seen.own[robot].state;
   numbers.add(seen.ball.position * per_place_);

@@ -2,7 +2,7 @@
 
 import copy
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,9 +14,15 @@ from numpy.typing import NDArray
 from fulbito import _core
 from fulbito.errors import UsageError
 
-__all__ = ["EpisodeEnv", "EpisodeState", "action_space_of", "checked_actions", "observation_space_of"]
+__all__ = ["EpisodeEnv", "EpisodeState", "Others", "Policy", "action_space_of", "checked_actions",
+           "observation_space_of"]
 
 Info = dict[str, Any]
+Policy = Callable[[NDArray[np.float32]], Any]
+"""What drives agents beside the caller: takes observations, float32 of shape (agents, numbers), and returns their
+actions, (agents, numbers of an action), or (agents,) for choices. An environment pickles if its policies do."""
+Others = Sequence[tuple[Sequence[int], Policy]]
+"""Numbers of agents of a source, and what drives them."""
 
 
 @dataclass(frozen=True)
@@ -89,11 +95,13 @@ class EpisodeEnv(gymnasium.Env[NDArray[np.float32], Any]):
 
     metadata = {"render_modes": ["rgb_array", "human"], "render_fps": 60}
 
-    def __init__(self, make_source: Callable[[], _core.Source], *, render_mode: str | None = None,
-                 render_width: int = 600) -> None:
+    def __init__(self, make_source: Callable[[], _core.Source], *, agent: int = 0, others: Others = (),
+                 render_mode: str | None = None, render_width: int = 600) -> None:
         """
         Args:
-            make_source: makes a new source of episodes of one agent; it pickles if the environment shall.
+            make_source: makes a new source of episodes; it pickles if the environment shall.
+            agent: number of the agent that the caller drives.
+            others: what drives the other agents of the source.
             render_mode: None, "rgb_array" (`render` returns uint8 of shape (height, width, 3)) or "human" (a window).
             render_width: width of pictures [px], 160 ... 16384.
         """
@@ -102,20 +110,30 @@ class EpisodeEnv(gymnasium.Env[NDArray[np.float32], Any]):
         self.render_mode = render_mode
         self.render_width = render_width
         self._make_source = make_source
+        self._agent = agent
+        self._others = [(list(rows), policy) for rows, policy in others]
         source = make_source()
         shape = source.shape
-        if shape["agents"] != 1:
-            raise UsageError("this environment has one agent; fulbito.pettingzoo has those with more")
+        if sorted([agent, *(row for rows, _ in self._others for row in rows)]) != list(range(shape["agents"])):
+            raise UsageError("each agent needs one that drives it; fulbito.pettingzoo has environments of many agents")
         self.observation_space: spaces.Space[Any] = observation_space_of(shape)
         self.action_space = action_space_of(shape)
         self._action_shape: tuple[int, ...] = () if shape["choices"] else (shape["action"],)
-        self._names = tuple(f"reward_{term}" for term in shape["terms"]) + tuple(shape["figures"])
-        self._observation = np.zeros(shape["observation"], np.float32)
-        self._numbers = np.zeros(1 + len(self._names))
+        self._terms = tuple(f"reward_{term}" for term in shape["terms"])
+        self._figures = tuple(shape["figures"])
+        self._agents: int = shape["agents"]
         self._seeded = False
         self._window: _core.Window | None = None
         self._shown_at = 0.0
-        self._core = _core.Environment(source, self._observation, self._numbers)
+        self._attach(source)
+
+    def _attach(self, source: _core.Source) -> None:
+        shape = source.shape
+        self._seen = np.zeros((self._agents, shape["observation"]), np.float32)
+        self._observation = self._seen[self._agent]
+        self._actions = np.zeros((self._agents, *self._action_shape), np.float32)
+        self._numbers = np.zeros(self._agents * (1 + len(self._terms)) + len(self._figures))
+        self._core = _core.Environment(source, self._seen.reshape(-1), self._numbers)
 
     def reset(self, *, seed: int | None = None,
               options: dict[str, Any] | None = None) -> tuple[NDArray[np.float32], Info]:
@@ -151,14 +169,24 @@ class EpisodeEnv(gymnasium.Env[NDArray[np.float32], Any]):
         "reward_NAME", and the figures of the environment. Raises StateError before `reset`, after the end of an
         episode and after `close`.
         """
-        end = self._core.step(checked_actions(action, self._action_shape))
+        action = checked_actions(action, self._action_shape)
+        end = self._core.step(self._joined(action) if self._others else action)
         if self.render_mode == "human":
             self.render()
-        numbers = self._numbers.tolist()
-        return (self._observation.copy(), numbers[0], end == 1, end == 2, dict(zip(self._names, numbers[1:])))
+        return (self._observation.copy(), self._numbers.item(self._agent), end == 1, end == 2, self._info())
+
+    def _joined(self, action: NDArray[np.float32]) -> NDArray[np.float32]:
+        self._actions[self._agent] = action
+        for rows, policy in self._others:
+            self._actions[rows] = checked_actions(policy(self._seen[rows]), (len(rows), *self._action_shape))
+        return self._actions.reshape(-1)
 
     def _info(self) -> Info:
-        return dict(zip(self._names, self._numbers.tolist()[1:]))
+        numbers = self._numbers.tolist()
+        terms = self._agents + self._agent * len(self._terms)
+        info = dict(zip(self._terms, numbers[terms:terms + len(self._terms)]))
+        info.update(zip(self._figures, numbers[len(numbers) - len(self._figures):]))
+        return info
 
     def render(self) -> NDArray[np.uint8] | None:
         """With "rgb_array" a picture of the present moment, uint8 of shape (height, width, 3). With "human" the window
@@ -204,11 +232,12 @@ class EpisodeEnv(gymnasium.Env[NDArray[np.float32], Any]):
         self._core.close()
 
     def __getstate__(self) -> dict[str, Any]:
-        kept = {name: value for name, value in self.__dict__.items() if name not in ("_core", "_window")}
+        made = ("_core", "_seen", "_observation", "_actions", "_numbers")
+        kept = {name: value for name, value in self.__dict__.items() if name not in made}
         return {**kept, "_window": None, "_state": self.get_state()}
 
     def __setstate__(self, kept: dict[str, Any]) -> None:
         state = kept.pop("_state")
         self.__dict__.update(kept)
-        self._core = _core.Environment(self._make_source(), self._observation, self._numbers)
+        self._attach(self._make_source())
         self._core.restore(state.as_tuple())

@@ -10,7 +10,7 @@ from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 
 from fulbito import _core
-from fulbito.envs.base import (EpisodeState, action_space_of, checked_actions, observation_space_of, seed_of, start_of)
+from fulbito.envs.base import (EpisodeState, Others, action_space_of, checked_actions, observation_space_of, seed_of, start_of)
 from fulbito.errors import UsageError
 
 __all__ = ["EpisodeVectorEnv"]
@@ -21,38 +21,43 @@ _MODES = [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP, AutoresetMode.DISABL
 
 
 class _Rows:
-    """The arrays of one set of rows, and what of them a step returns."""
+    """The arrays of one set of rows, and the views of them that a step returns: of all agents, or of one of each
+    environment."""
 
-    def __init__(self, envs: int, shape: dict[str, Any]) -> None:
-        agents = envs * shape["agents"]
+    def __init__(self, envs: int, shape: dict[str, Any], agent: int | None) -> None:
+        agents: int = shape["agents"]
+        count = envs * agents
         terms: list[str] = shape["terms"]
-        figures: list[str] = shape["figures"]
-        self.observations = np.zeros((agents, shape["observation"]), np.float32)
-        self.rewards = np.zeros(agents)
-        self.terminated = np.zeros(agents, np.bool_)
-        self.truncated = np.zeros(agents, np.bool_)
-        self.terms = np.zeros((agents, len(terms)))
-        self.figures = np.zeros((envs, len(figures)))
-        self._agents = shape["agents"]
-        self._figures = figures
-        there = np.ones(agents, np.bool_)
+        self.names: list[str] = shape["figures"]
+        self.observations = np.zeros((count, shape["observation"]), np.float32)
+        self.rewards = np.zeros(count)
+        self.terminated = np.zeros(count, np.bool_)
+        self.truncated = np.zeros(count, np.bool_)
+        self.terms = np.zeros((count, len(terms)))
+        self.figures = np.zeros((envs, len(self.names)))
+        self.shown = slice(None) if agent is None else slice(agent, None, agents)
+        self.out = (self.observations[self.shown], self.rewards[self.shown], self.terminated[self.shown],
+                    self.truncated[self.shown])
+        self._repeats = agents if agent is None else 1
+        there = np.ones(len(self.out[1]), np.bool_)
         self.info: Info = {}
         for i, name in enumerate(terms):
-            self.info[f"reward_{name}"] = self.terms[:, i]
+            self.info[f"reward_{name}"] = self.terms[self.shown, i]
             self.info[f"_reward_{name}"] = there
-        for i, name in enumerate(figures):
+        for i, name in enumerate(self.names):
             self.info[name] = self.figures[:, i]
             self.info[f"_{name}"] = there
 
     def arrays(self) -> list[Any]:
+        """All arrays, as the C++ side takes them."""
         return [self.observations, self.rewards, self.terminated, self.truncated, self.terms, self.figures]
 
     def told(self) -> Info:
         """A new dict with views of the arrays."""
         info = dict(self.info)
-        if self._agents > 1:
-            for name in self._figures:
-                info[name] = np.repeat(info[name], self._agents)
+        if self._repeats > 1:
+            for name in self.names:
+                info[name] = np.repeat(info[name], self._repeats)
         return info
 
 
@@ -64,13 +69,16 @@ class EpisodeVectorEnv(VectorEnv[NDArray[np.float32], Any, Any]):
     agents, each of them counts as an environment: `num_envs` is environments x agents.
     """
 
-    def __init__(self, make_source: Callable[[], _core.Source], num_envs: int = 1, *, threads: int = 0,
+    def __init__(self, make_source: Callable[[], _core.Source], num_envs: int = 1, *, agent: int | None = None,
+                 others: Others = (), threads: int = 0,
                  autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP, states: bool = False,
                  render_mode: str | None = None, render_width: int = 600) -> None:
         """
         Args:
             make_source: makes a new source of episodes.
             num_envs: environments, 1 ... 1,048,575.
+            agent: number of the agent of each environment that the caller drives; None: all agents.
+            others: what drives the other agents.
             threads: C++ threads, the caller's included; 0: one per core.
             autoreset_mode: what happens when an episode ends, as Gymnasium defines it.
             states: keeps the actions of the present episodes, for `get_states`.
@@ -92,16 +100,25 @@ class EpisodeVectorEnv(VectorEnv[NDArray[np.float32], Any, Any]):
         self._core = _core.Vector(sources, threads, _MODES.index(self._mode), states)
         shape = self._core.shape
         self._agents: int = shape["agents"]
-        self.num_envs = num_envs * self._agents
+        self._agent = agent
+        driven = [] if agent is None else [agent, *(row for rows, _ in others for row in rows)]
+        if agent is not None and sorted(driven) != list(range(self._agents)):
+            raise UsageError("each agent needs one that drives it")
+        first = np.arange(num_envs)[:, None] * self._agents
+        self._others = [((first + np.asarray(rows)).reshape(-1), policy) for rows, policy in others]
+        self._each = self._agents if agent is None else 1
+        self.num_envs = num_envs * self._each
         self.single_observation_space = observation_space_of(shape)
         self.single_action_space = action_space_of(shape)
         self.observation_space = batch_space(self.single_observation_space, self.num_envs)
         self.action_space = batch_space(self.single_action_space, self.num_envs)
         self._width: tuple[int, ...] = () if shape["choices"] else (shape["action"],)
         self._action_shape = (self.num_envs, *self._width)
-        self._all = [_Rows(num_envs, shape), _Rows(num_envs, shape)]
-        self._some = [_Rows(num_envs, shape), _Rows(num_envs, shape)]
-        self._last = _Rows(num_envs, shape)
+        self._joint = np.zeros((num_envs * self._agents, *self._width), np.float32)
+        self._all = [_Rows(num_envs, shape, agent) for _ in range(2)]
+        self._some = [_Rows(num_envs, shape, agent) for _ in range(2)]
+        self._last = _Rows(num_envs, shape, agent)
+        self._now = self._all[0]
         self._ended = np.zeros(num_envs, np.bool_)
         arrays = [array for rows in (*self._all, *self._some) for array in rows.arrays()]
         self._core.use([*arrays, self._last.observations, self._last.figures, self._ended])
@@ -129,8 +146,8 @@ class EpisodeVectorEnv(VectorEnv[NDArray[np.float32], Any, Any]):
         if mask.dtype != np.bool_ or mask.ndim != 1:
             raise UsageError(f"reset_mask: {mask.dtype} of shape {mask.shape} is no array of bool")
         self._seed(seed)
-        rows = self._all[self._core.reset(np.ascontiguousarray(mask), start)]
-        return rows.observations, rows.told()
+        self._now = self._all[self._core.reset(np.ascontiguousarray(mask), start)]
+        return self._now.out[0], self._now.told()
 
     def _seed(self, seed: int | Sequence[int | None] | None) -> None:
         if seed is None:
@@ -155,20 +172,29 @@ class EpisodeVectorEnv(VectorEnv[NDArray[np.float32], Any, Any]):
         Returns: observations (float32), rewards (float64), terminations, truncations (bool) and infos. Terms of the
         reward are "reward_NAME" of infos. With SAME_STEP, "final_obs" and "final_info" have the rows of "_final_obs".
         """
-        rows = self._all[self._core.step(checked_actions(actions, self._action_shape))]
-        return self._told(rows)
+        return self._told(self._all[self._core.step(self._joined(actions))])
+
+    def _joined(self, actions: Any) -> NDArray[np.float32]:
+        given = checked_actions(actions, self._action_shape)
+        if self._agent is None or self._agents == 1:
+            return given
+        self._joint[self._agent::self._agents] = given
+        for rows, policy in self._others:
+            self._joint[rows] = checked_actions(policy(self._now.observations[rows]), (len(rows), *self._width))
+        return self._joint
 
     def _told(self, rows: _Rows) -> Step:
+        self._now = rows
         info = rows.told()
         if self._mode is AutoresetMode.SAME_STEP and self._ended.any():
             self._add_final(info)
-        return rows.observations, rows.rewards, rows.terminated, rows.truncated, info
+        return (*rows.out, info)
 
     def _add_final(self, info: Info) -> None:
-        ended = np.repeat(self._ended, self._agents)
-        final: Info = {name: self._last.info[name].copy() for name in self._last._figures}
+        ended = np.repeat(self._ended, self._each)
+        final: Info = {name: self._last.info[name].copy() for name in self._last.names}
         final |= {name: value for name, value in info.items() if name.startswith("reward_")}
-        info |= {"final_obs": self._last.observations.copy(), "_final_obs": ended, "final_info": final,
+        info |= {"final_obs": self._last.out[0].copy(), "_final_obs": ended, "final_info": final,
                  "_final_info": ended}
 
     def send(self, actions: Any, env_ids: Any = None) -> None:
@@ -179,9 +205,11 @@ class EpisodeVectorEnv(VectorEnv[NDArray[np.float32], Any, Any]):
             env_ids: distinct numbers of environments; None: all.
         """
         if env_ids is None:
-            self._core.send(checked_actions(actions, self._action_shape), self._everyone)
+            self._core.send(self._joined(actions), self._everyone)
             self._sent = None
             return
+        if self._others:
+            raise UsageError("env_ids: a vector with policies steps all of its environments")
         ids = np.asarray(env_ids)
         if ids.dtype.kind not in "iu" or ids.ndim != 1 or ids.size == 0 or ids.min() < 0:
             raise UsageError(f"env_ids: {env_ids!r} are no numbers of environments")
@@ -195,9 +223,10 @@ class EpisodeVectorEnv(VectorEnv[NDArray[np.float32], Any, Any]):
         row = self._core.receive()
         if self._sent is None:
             return self._told(self._all[row])
-        rows, count = self._some[row], self._sent.size * self._agents
+        rows, count = self._some[row], self._sent.size * self._each
         info = {name: value[:count] for name, value in rows.told().items()} | {"env_id": self._sent}
-        return (rows.observations[:count], rows.rewards[:count], rows.terminated[:count], rows.truncated[:count], info)
+        seen, rewards, terminated, truncated = rows.out
+        return seen[:count], rewards[:count], terminated[:count], truncated[:count], info
 
     def get_states(self) -> list[EpisodeState]:
         """The states of all environments, if the vector was made with `states`."""

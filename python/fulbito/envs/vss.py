@@ -4,9 +4,11 @@ from typing import Any
 
 from gymnasium.vector import AutoresetMode
 
+from fulbito import _core
 from fulbito.envs.base import EpisodeEnv
 from fulbito.envs.settings import MatchSettings
 from fulbito.envs.vector import EpisodeVectorEnv
+from fulbito.errors import UsageError
 
 __all__ = ["VSSCompatEnv", "VSSCompatVectorEnv", "VSSEnv", "VSSVectorEnv", "compat_settings", "vss_settings"]
 
@@ -15,12 +17,38 @@ def vss_settings(*, mates: Any = "random", opponents: Any = "random", robot: int
     """Settings of fulbito/VSS-v0.
 
     Args:
-        mates: team of the other blue robots, as MatchSettings.blue.
-        opponents: team of the yellow robots, as MatchSettings.yellow.
+        mates: team of the other blue robots, as MatchSettings.blue; or a policy, see fulbito.envs.base.Policy, which
+            drives each of them as the agent is driven.
+        opponents: the same for the yellow robots, as MatchSettings.yellow.
         robot: number of the agent, in blue.
         settings: the others of MatchSettings.
     """
-    return MatchSettings(blue=mates, yellow=opponents, blue_agents=(robot,), **settings)
+    size = _core.team_size(settings.get("rules", "vsss-3v3")) if _is_policy(mates) or _is_policy(opponents) else 0
+    blue = range(size) if _is_policy(mates) else (robot,)
+    if robot not in blue:
+        raise UsageError(f"robot: there is no robot {robot}")
+    return MatchSettings(blue="idle" if _is_policy(mates) else mates, blue_agents=tuple(blue),
+                         yellow="idle" if _is_policy(opponents) else opponents,
+                         yellow_agents=tuple(range(size)) if _is_policy(opponents) else (), **settings)
+
+
+def _is_policy(team: Any) -> bool:
+    return callable(team) and not isinstance(team, type) and not hasattr(team, "decide")
+
+
+def _seats(settings: MatchSettings, robot: int, mates: Any, opponents: Any) -> dict[str, Any]:
+    """Who drives which agent of the source."""
+    blue = len(settings.blue_agents)
+    others: list[tuple[list[int], Any]] = []
+    if blue > 1:
+        others.append(([number for number in range(blue) if number != robot], mates))
+    if settings.yellow_agents:
+        others.append(([blue + number for number in range(len(settings.yellow_agents))], opponents))
+    return {"make_source": settings.source, "agent": robot if blue > 1 else 0, "others": others}
+
+
+def _vss(settings: dict[str, Any]) -> dict[str, Any]:
+    return _seats(vss_settings(**settings), settings.get("robot", 0), settings.get("mates"), settings.get("opponents"))
 
 
 # A wheel of rSoccer's other robots is an Ornstein-Uhlenbeck process with theta 0.17 and sigma 0.5, in steps of 1/40 s.
@@ -39,7 +67,7 @@ class VSSEnv(EpisodeEnv):
 
     def __init__(self, *, render_mode: str | None = None, render_width: int = 600, **settings: Any) -> None:
         """Args: see `vss_settings`, MatchSettings and EpisodeEnv."""
-        super().__init__(vss_settings(**settings).source, render_mode=render_mode, render_width=render_width)
+        super().__init__(**_vss(settings), render_mode=render_mode, render_width=render_width)
 
 
 class VSSVectorEnv(EpisodeVectorEnv):
@@ -49,7 +77,7 @@ class VSSVectorEnv(EpisodeVectorEnv):
                  autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP, states: bool = False,
                  render_mode: str | None = None, render_width: int = 600, **settings: Any) -> None:
         """Args: see `vss_settings`, MatchSettings and EpisodeVectorEnv."""
-        super().__init__(vss_settings(**settings).source, num_envs, threads=threads, autoreset_mode=autoreset_mode,
+        super().__init__(**_vss(settings), num_envs=num_envs, threads=threads, autoreset_mode=autoreset_mode,
                          states=states, render_mode=render_mode, render_width=render_width)
 
 
