@@ -18,7 +18,7 @@ from fulbito.team import Team
 
 #: These need optional packages, or run a program.
 OPTIONAL = ("fulbito.envs", "fulbito.pettingzoo", "fulbito.ray_tournament", "fulbito.policy_team", "fulbito.wrappers",
-            "fulbito.vector", "fulbito.__main__")
+            "fulbito.vector", "fulbito.stable_baselines", "fulbito.__main__")
 
 
 def modules() -> list[ModuleType]:
