@@ -77,7 +77,7 @@ class Agent {
     }
     std::vector<float> numbers(writer_.size());
     const Observation seen = observationOf(now);
-    writer_.write(seen, Facings(seen), static_cast<std::size_t>(robot), numbers);
+    writer_.write(seen, static_cast<std::size_t>(robot), numbers);
     const std::size_t size = numbers.size();
     return arrayOf(std::move(numbers), {size});
   }
@@ -131,9 +131,11 @@ void bindAgent(nb::module_& m) {
            "`info`: the MatchInfo of fulbito.team; the forms are those of fulbito/VSS-v0. Raises UsageError.")
       .def("observe", &Agent::observe, nb::arg("now"), nb::arg("robot"),
            "What robot number `robot` of the team sees, as the environment tells it: float32, shape (n,).")
-      .def("command", &Agent::command, nb::arg("action"),
-           "The command of an action, float32 of shape (2,) or (3,): ('wheels', left, right) [rad/s], "
-           "('twist', linear, angular) [m/s, rad/s] or ('go-to', x, y, heading) [m, rad].");
+      .def(
+          "command", &Agent::command, nb::arg("action"),
+          nb::sig("def command(self, action: numpy.typing.NDArray[numpy.float32]) -> tuple[typing.Any, ...]"),
+          "The command of an action, float32 of shape (2,) or (3,): ('wheels', left, right) [rad/s], "
+          "('twist', linear, angular) [m/s, rad/s] or ('go-to', x, y, heading) [m, rad].");
 }
 
 }  // namespace fulbito::python

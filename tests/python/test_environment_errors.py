@@ -1,5 +1,7 @@
 """Wrong use of environments: a clear exception each, and the environment goes on where it can."""
 
+# pyright: reportPossiblyUnboundVariable=false
+
 import gc
 import multiprocessing
 import os
@@ -16,7 +18,7 @@ gymnasium = pytest.importorskip("gymnasium")
 
 import fulbito.envs
 import fulbito.envs.vss
-from fulbito import FulbitoError, InputError, StateError, UsageError
+from fulbito import FulbitoError, InputError, StateError, UsageError, _core
 
 HALF = np.full(2, 0.5, np.float32)
 
@@ -207,11 +209,12 @@ def test_arrays_of_the_core_are_checked() -> None:
     seen, numbers = np.zeros(56, np.float32), np.zeros(10)
     frozen = np.zeros(56, np.float32)
     frozen.flags.writeable = False
-    for observations in (frozen, seen.astype(np.float64), np.zeros(112, np.float32)[::2]):
+    wrong: list[Any] = [frozen, seen.astype(np.float64), np.zeros(112, np.float32)[::2]]
+    for observations in wrong:
         with pytest.raises(TypeError):
-            fulbito._core.Environment(source, observations, numbers)
+            _core.Environment(source, observations, numbers)
     with pytest.raises(UsageError):
-        fulbito._core.Environment(source, np.zeros(55, np.float32), numbers)
+        _core.Environment(source, np.zeros(55, np.float32), numbers)
 
 
 def test_two_threads_in_one_environment() -> None:

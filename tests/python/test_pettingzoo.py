@@ -1,5 +1,7 @@
 """PettingZoo: conformance, seeds, self-play, the critic's state."""
 
+# pyright: reportPossiblyUnboundVariable=false
+
 import pickle
 import warnings
 from typing import Any
@@ -73,6 +75,7 @@ def test_a_state_goes_on_as_the_game_does() -> None:
     other = pickle.loads(pickle.dumps(env))
     for _ in range(50):
         chosen = moves()
-        for one, same in zip(env.step(chosen)[:2], other.step(chosen)[:2]):
+        ours: Any = env.step(chosen)
+        for one, same in zip(ours[:2], other.step(chosen)[:2]):
             for agent in one:
                 np.testing.assert_array_equal(one[agent], same[agent])

@@ -1,6 +1,9 @@
 """fulbito/VSS-v0 and fulbito/VSSCompat-v0: conformance, seeds, states, settings."""
 
+# pyright: reportPossiblyUnboundVariable=false
+
 import copy
+import os
 import pickle
 import warnings
 from pathlib import Path
@@ -16,6 +19,7 @@ import fulbito.envs
 import fulbito.team
 from gymnasium.utils.env_checker import check_env
 
+os.environ.setdefault("SDL_VIDEODRIVER", "dummy")  # windows without a screen
 IDS = ["fulbito/VSS-v0", "fulbito/VSSCompat-v0"]
 FORMS: list[dict[str, Any]] = [
     {"action": "twist", "observation": "egocentric", "stack": 3, "frame_skip": 4},
@@ -161,7 +165,7 @@ def test_a_whole_match_goes_through_its_halves() -> None:
 class Ahead(fulbito.team.Team):
     """All robots drive ahead."""
 
-    def decide(self, observation: Any) -> Any:
+    def decide(self, seen: Any) -> Any:
         commands = fulbito.team.Commands()
         for number in range(3):
             commands.wheels(number, 20.0, 20.0)
@@ -171,7 +175,7 @@ class Ahead(fulbito.team.Team):
 class Broken(fulbito.team.Team):
     """It raises."""
 
-    def decide(self, observation: Any) -> Any:
+    def decide(self, seen: Any) -> Any:
         raise RuntimeError("no idea")
 
 
@@ -205,6 +209,23 @@ def test_policies_drive_the_others_of_a_vector() -> None:
         assert rewards.shape == (3,) and rewards[1] == reward
 
 
+def test_a_class_plays_in_each_environment_of_a_vector() -> None:
+    vector = gymnasium.make_vec("fulbito/VSS-v0", 4, opponents=Ahead, threads=3)
+    single = gymnasium.make("fulbito/VSS-v0", opponents=Ahead)
+    observations, seen = vector.reset(seed=5)[0], single.reset(seed=7)[0]
+    for _ in range(50):
+        np.testing.assert_array_equal(observations[2], seen)
+        observations = vector.step(np.ones((4, 2), np.float32))[0]
+        seen = single.step(np.ones(2, np.float32))[0]
+    broken = gymnasium.make_vec("fulbito/VSS-v0", 4, opponents=Broken, threads=3)
+    with pytest.raises(fulbito.TeamError, match="no idea"):
+        broken.reset(seed=1)
+        broken.step(np.ones((4, 2), np.float32))
+    broken.close()
+    with pytest.raises(fulbito.UsageError, match="needs its class"):
+        gymnasium.make_vec("fulbito/VSS-v0", 2, opponents=Ahead())
+
+
 def test_what_a_team_raises_is_told() -> None:
     env = gymnasium.make("fulbito/VSS-v0", opponents=Broken)
     with pytest.raises(fulbito.TeamError, match="no idea") as caught:
@@ -219,6 +240,15 @@ def test_pictures_have_pixels(name: str) -> None:
     env.reset(seed=1)
     picture = env.render()
     assert picture.dtype == np.uint8 and picture.shape[1:] == (600, 3) and picture.std() > 10
+
+
+def test_a_window_shows_each_step() -> None:
+    env = gymnasium.make("fulbito/VSS-v0", render_mode="human", render_width=300)
+    env.reset(seed=1)
+    for _ in range(5):
+        env.step(np.ones(2, np.float32))
+    assert env.render() is None
+    env.close()
 
 
 def test_chosen_episodes_are_recorded(tmp_path: Path) -> None:

@@ -69,15 +69,16 @@ nb::list drillStarts(const nb::kwargs& values) {
 }  // namespace
 
 void bindDrillSource(nb::module_& m) {
-  m.def("drill_source", &drillSource, nb::arg("settings"),
+  m.def("drill_source", &drillSource, nb::sig("def drill_source(**settings: typing.Any) -> Source"),
         "A source of episodes that are trials of a drill; the arguments are those of "
         "fulbito.envs.DrillSettings.");
-  m.def("drill_table", &drillTable,
+  m.def("drill_table", &drillTable, nb::sig("def drill_table() -> list[dict[str, typing.Any]]"),
         "The built-in drills: a dict each of number, name, what, trials, starts, playable.");
-  m.def("drill_starts", &drillStarts, nb::arg("settings"),
+  m.def("drill_starts", &drillStarts, nb::sig("def drill_starts(**settings: typing.Any) -> list[str]"),
         "Names of a drill's starts, by `drill` or `file`.");
   m.def(
       "drill_sight", [] { return tableOf(RobotSight(3).entries()); },
+      nb::sig("def drill_sight() -> list[tuple[str, str, str]]"),
       "The numbers of an observation in order: name, unit, meaning.");
 }
 

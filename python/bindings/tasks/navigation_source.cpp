@@ -36,11 +36,13 @@ Source navigationSource(const nb::kwargs& values) {
 }  // namespace
 
 void bindNavigationSource(nb::module_& m) {
-  m.def("navigation_source", &navigationSource, nb::arg("settings"),
+  m.def("navigation_source", &navigationSource,
+        nb::sig("def navigation_source(**settings: typing.Any) -> Source"),
         "A source of episodes that are trials of compare; the arguments are those of "
         "fulbito.envs.NavigateSettings.");
   m.def(
       "navigation_sight", [] { return tableOf(navigationSight()); },
+      nb::sig("def navigation_sight() -> list[tuple[str, str, str]]"),
       "The numbers of an observation in order: name, unit, meaning.");
   m.def(
       "trial_outcomes",
@@ -52,7 +54,7 @@ void bindNavigationSource(nb::module_& m) {
         }
         return names;
       },
-      "Names of a trial's outcomes, by number.");
+      nb::sig("def trial_outcomes() -> list[str]"), "Names of a trial's outcomes, by number.");
 }
 
 }  // namespace fulbito::python

@@ -50,6 +50,7 @@ MatchEnvironment::MatchEnvironment(MatchTask task)
   for (const RobotId id : agentsOf(task_))
     agents_.push_back({id, CompatReward(task_.match.field), {}, {}, {}});
   seatAgents();
+  shared_.resize(writer_.sharedSize());
   shape_.agents = agents_.size();
   shape_.observation = writer_.size() * static_cast<std::size_t>(task_.stack);
   shape_.bound = writer_.bound();
@@ -275,11 +276,11 @@ void MatchEnvironment::observe(const EpisodeView& out, bool first) {
     AgentSlot& slot = *slots_[indexOf(team)];
     // After the last tick no team sees the end of it.
     if (match_->phase() != MatchPhase::kDeciding) slot.seen = truthFor(*match_, team);
-    const Facings facings = writer_.facingsOf(slot.seen);
+    writer_.share(slot.seen, shared_);
     for (std::size_t i = 0; i < agents_.size(); ++i) {
       if (agents_[i].id.team != team) continue;
       const std::span<float> all = out.observations.subspan(i * shape_.observation, shape_.observation);
-      clipped_ += writer_.write(slot.seen, facings, agents_[i].id.number, all.first(writer_.size()));
+      clipped_ += writer_.write(slot.seen, shared_, agents_[i].id.number, all.first(writer_.size()));
       if (task_.stack > 1) pile(agents_[i].seen, all, first);
     }
   }

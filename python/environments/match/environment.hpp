@@ -76,6 +76,7 @@ class MatchEnvironment final : public EpisodeSource {
   PerTeam<std::shared_ptr<AgentSlot>> slots_;
   std::vector<Agent> agents_;
   ObservationWriter writer_;
+  std::vector<float> shared_;  ///< what the agents of a team see alike; reused
   std::optional<Match> match_;
   std::optional<MatchRecorder> recorder_;
   std::string record_to_;  ///< file for the next episode; empty: none

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "fulbito/detail/math.hpp"
 #include "python/environments/match/compat.hpp"
@@ -29,28 +30,16 @@ class ObservationWriter::Numbers {
     std::fill_n(next_, count, 0.0f);
     next_ += count;
   }
-  /// Brings all numbers within the bound. @return how many were beyond it
-  int clip(float bound) {
-    int clipped = 0;
-    for (float* number = begin_; number != next_; ++number) {
-      const float kept = std::clamp(*number, -bound, bound);
-      clipped += kept == *number ? 0 : 1;
-      *number = kept;
-    }
-    return clipped;
+  void copy(std::span<const float> numbers) { next_ = std::copy(numbers.begin(), numbers.end(), next_); }
+  /// Brings all numbers within the bound.
+  void clip(float bound) {
+    for (float* number = begin_; number != next_; ++number) *number = std::clamp(*number, -bound, bound);
   }
 
  private:
   float* begin_;
   float* next_;
 };
-
-Facings::Facings(const Observation& seen) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(seen.team_size); ++i) {
-    if (seen.own[i].present) robots[0][i] = math::unit(seen.own[i].state.pose.heading);
-    if (seen.opponents[i].present) robots[1][i] = math::unit(seen.opponents[i].state.pose.heading);
-  }
-}
 
 ObservationWriter::ObservationWriter(ObservationForm form, const MatchConfig& match)
     : form_(form),
@@ -79,11 +68,11 @@ float ObservationWriter::bound() const {
   return kObservedBound;
 }
 
-void ObservationWriter::addRobot(const ObservedRobot& robot, Vec2 facing, Numbers& numbers) const {
+void ObservationWriter::addRobot(const ObservedRobot& robot, Numbers& numbers) const {
   if (!robot.present) return numbers.skip(kOther);
   numbers.add(1.0);
   numbers.add(robot.state.pose.position * per_place_);
-  numbers.add(facing);
+  numbers.add(math::unit(robot.state.pose.heading));
   numbers.add(robot.state.velocity * per_speed_);
   numbers.add(robot.state.angular_velocity * per_yaw_);
 }
@@ -100,19 +89,28 @@ void ObservationWriter::writeState(const Observation& seen, std::span<float> out
   Numbers numbers(out);
   numbers.add(seen.ball.position * per_place_);
   numbers.add(seen.ball.velocity * per_speed_);
-  const Facings facings(seen);
-  for (std::size_t i = 0; i < team_; ++i) addRobot(seen.own[i], facings.robots[0][i], numbers);
-  for (std::size_t i = 0; i < team_; ++i) addRobot(seen.opponents[i], facings.robots[1][i], numbers);
+  for (const auto* team : {&seen.own, &seen.opponents}) {
+    for (std::size_t i = 0; i < team_; ++i) addRobot((*team)[i], numbers);
+  }
   addGame(seen, numbers);
-  (void)numbers.clip(kObservedBound);
+  numbers.clip(kObservedBound);
 }
 
-int ObservationWriter::write(const Observation& seen, const Facings& facings, std::size_t robot,
+void ObservationWriter::share(const Observation& seen, std::span<float> shared) const {
+  if (form_ == ObservationForm::kAbsolute) writeState(seen, shared);
+}
+
+int ObservationWriter::write(const Observation& seen, std::size_t robot, std::span<float> out) const {
+  std::vector<float> shared(sharedSize());
+  share(seen, shared);
+  return write(seen, shared, robot, out);
+}
+
+int ObservationWriter::write(const Observation& seen, std::span<const float> shared, std::size_t robot,
                              std::span<float> out) const {
   if (form_ == ObservationForm::kCompat) return writeCompat(seen, out);
-  Numbers numbers(out);
   if (!seen.own[robot].present) {
-    numbers.skip(out.size());
+    std::fill(out.begin(), out.end(), 0.0f);
     return 0;
   }
   if (form_ == ObservationForm::kEgocentric) {
@@ -120,22 +118,17 @@ int ObservationWriter::write(const Observation& seen, const Facings& facings, st
     moment.elapsed = 1.0 - seen.remaining / half_seconds_;
     return RobotSight(team_).write(moment, out);
   }
-  const RobotState& self = seen.own[robot].state;
-  numbers.add(seen.ball.position * per_place_);
-  numbers.add(seen.ball.velocity * per_speed_);
-  numbers.add(self.pose.position * per_place_);
-  numbers.add(facings.robots[0][robot]);
-  numbers.add(self.velocity * per_speed_);
-  numbers.add(self.angular_velocity * per_yaw_);
-  numbers.add(Vec2{self.wheels.left, self.wheels.right} * per_wheel_);
-  for (std::size_t i = 0; i < team_; ++i) {
-    if (i != robot) addRobot(seen.own[i], facings.robots[0][i], numbers);
-  }
-  for (std::size_t i = 0; i < team_; ++i) {
-    addRobot(seen.opponents[i], facings.robots[1][i], numbers);
-  }
-  addGame(seen, numbers);
-  return numbers.clip(kObservedBound);
+  const WheelSpeeds& wheels = seen.own[robot].state.wheels;
+  const auto own = shared.subspan(kBall), self = own.subspan(robot * kOther, kOther);
+  Numbers numbers(out);
+  numbers.copy(shared.first(kBall));
+  numbers.copy(self.subspan(1));  // without its presence
+  numbers.add(Vec2{wheels.left, wheels.right} * per_wheel_);
+  numbers.copy(own.first(robot * kOther));
+  numbers.copy(own.subspan((robot + 1) * kOther));
+  numbers.clip(kObservedBound);
+  const auto isAtBound = [](float number) { return std::abs(number) >= kObservedBound; };
+  return static_cast<int>(std::count_if(out.begin(), out.end(), isAtBound));
 }
 
 }  // namespace fulbito

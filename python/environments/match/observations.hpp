@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 
@@ -12,13 +11,6 @@ namespace fulbito {
 /// Largest absolute value of an observed number of ObservationForm::kAbsolute.
 inline constexpr float kObservedBound = 3.0f;
 
-/// Unit vectors of the headings of all robots of an observation, which several agents of a team share.
-struct Facings {
-  Facings() = default;
-  explicit Facings(const Observation& seen);
-  PerTeam<std::array<Vec2, kMaxTeamSize>> robots{};  ///< own, then opponents; 0 for absent ones
-};
-
 /// Writes what an agent sees as numbers (docs/environments.md has the tables).
 class ObservationWriter {
  public:
@@ -28,19 +20,18 @@ class ObservationWriter {
   std::size_t size() const { return size_; }
   /// Largest absolute value of its numbers.
   float bound() const;
-  /// The facings of `seen` if this form needs them.
-  Facings facingsOf(const Observation& seen) const {
-    return form_ == ObservationForm::kAbsolute ? Facings(seen) : Facings();
-  }
+  /// Numbers of what all robots of a team see alike; 0 if this form shares nothing.
+  std::size_t sharedSize() const { return form_ == ObservationForm::kAbsolute ? stateSize() : 0; }
+  /// Writes what they see alike, `sharedSize` numbers.
+  void share(const Observation& seen, std::span<float> shared) const;
   /// Writes the observation of one robot of the team that sees it. An absent robot sees zeros.
-  /// @param facings  `facingsOf(seen)`
+  /// @param shared  as `share` wrote it
   /// @param out  `size` numbers
   /// @return how many numbers were clipped to the bound
-  int write(const Observation& seen, const Facings& facings, std::size_t robot, std::span<float> out) const;
+  int write(const Observation& seen, std::span<const float> shared, std::size_t robot,
+            std::span<float> out) const;
   /// The same for one robot.
-  int write(const Observation& seen, std::size_t robot, std::span<float> out) const {
-    return write(seen, facingsOf(seen), robot, out);
-  }
+  int write(const Observation& seen, std::size_t robot, std::span<float> out) const;
 
   /// Numbers of the state of a whole world.
   std::size_t stateSize() const;
@@ -49,7 +40,7 @@ class ObservationWriter {
 
  private:
   class Numbers;
-  void addRobot(const ObservedRobot& robot, Vec2 facing, Numbers& numbers) const;
+  void addRobot(const ObservedRobot& robot, Numbers& numbers) const;
   void addGame(const Observation& seen, Numbers& numbers) const;
 
   ObservationForm form_;
