@@ -38,7 +38,7 @@ class StableBaselinesVector(VecEnv):
 
     def reset(self) -> NDArray[Any]:
         """Begins new episodes; those of `seed`, if it was called before."""
-        seeds = [seed for seed in self._seeds if seed is not None]
+        seeds: Any = [seed for seed in self._seeds if seed is not None]
         observations, _ = self.envs.reset(seed=seeds if len(seeds) == self.num_envs else None)
         self._reset_seeds()
         self._reset_options()

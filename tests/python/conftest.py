@@ -22,6 +22,14 @@ def recording(short_match: MatchResult) -> Recording:
 
 
 @pytest.fixture(scope="session")
+def program() -> str:
+    """The program of the package. A build of the module alone has none."""
+    if not fulbito.program_path().is_file():
+        pytest.skip("the program is not built")
+    return str(fulbito.program_path())
+
+
+@pytest.fixture(scope="session")
 def examples() -> Path:
     """The folder of the examples."""
     return Path(__file__).resolve().parents[2] / "examples"

@@ -23,10 +23,10 @@ def untimed(data: Any) -> Any:
     return [untimed(entry) for entry in data] if isinstance(data, list) else data
 
 
-def test_a_comparison_has_the_figures_of_the_program() -> None:
+def test_a_comparison_has_the_figures_of_the_program(program: str) -> None:
     words = ["compare", "--suite", "corner", "--navigators", "bezier", "straight", "--speeds", "1.0", "--trials", "10",
              "--json"]
-    printed = subprocess.run([str(fulbito.program_path()), *words], capture_output=True, check=True)
+    printed = subprocess.run([program, *words], capture_output=True, check=True)
     here = fulbito.compare("corner", ["bezier", "straight"], speeds=[1.0], trials=10)
     assert untimed(here.data["summary"]) == untimed(json.loads(printed.stdout)["summary"])
 

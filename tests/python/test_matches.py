@@ -25,8 +25,8 @@ def without_times(data: dict[str, Any]) -> dict[str, Any]:
     ("libero", "classic", "--seed", "7", "--half-seconds", "20"),
     ("classic", "chaser", "--half-seconds", "15", "--latency", "2,4", "--noise", "0.003", "--rules", "vsss-5v5"),
 ])
-def test_a_match_has_the_figures_of_the_program(words: tuple[str, ...]) -> None:
-    printed = subprocess.run([str(fulbito.program_path()), "match", *words, "--json"], capture_output=True, check=True)
+def test_a_match_has_the_figures_of_the_program(words: tuple[str, ...], program: str) -> None:
+    printed = subprocess.run([program, "match", *words, "--json"], capture_output=True, check=True)
     if words[0] == "libero":
         result = fulbito.play("libero", "classic", seed=7, half_seconds=20)
     else:

@@ -16,19 +16,15 @@ import pytest
 import fulbito
 from fulbito.team import Team
 
-#: These need optional packages, or run a program.
-OPTIONAL = ("fulbito.envs", "fulbito.pettingzoo", "fulbito.ray_tournament", "fulbito.policy_team", "fulbito.wrappers",
-            "fulbito.vector", "fulbito.stable_baselines", "fulbito.__main__")
-
-
 def modules() -> list[ModuleType]:
     names = ["fulbito"] + [m.name for m in pkgutil.walk_packages(fulbito.__path__, "fulbito.", onerror=lambda name: None)]
     found = []
     for name in names:
         try:
             found.append(importlib.import_module(name))
-        except ImportError:
-            assert name.startswith(OPTIONAL), name
+        except ImportError as error:
+            # Only modules with an optional package may be missing.
+            assert error.name is not None and not error.name.startswith("fulbito"), name
     return found
 
 

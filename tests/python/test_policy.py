@@ -153,8 +153,8 @@ def test_a_policy_plays_in_this_process_and_as_a_program_alike(striker: Path) ->
     here = fulbito.play(PolicyTeam(striker), "chaser", seed=3, half_seconds=5)
     program = f"cmd:{sys.executable} -m fulbito.policy_team {striker}"
     there = fulbito.play(program, "chaser", seed=3, half_seconds=5, time_ms=None)
-    assert here.hash == there.hash
-    assert here.faults["blue"]["rejected"] == 0
+    assert here.final_hash == there.final_hash
+    assert here.statistics["blue"]["commands"]["rejected"] == 0
 
 
 def test_the_policy_drives_the_nearest_robot_or_all(striker: Path) -> None:
