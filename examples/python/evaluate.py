@@ -42,7 +42,7 @@ def options_of(policy: Policy, changes: list[str]) -> dict[str, Any]:
 
 def play(policy: Policy, options: dict[str, Any], episodes: int, seed: int, at_random: bool) -> tuple[list[float], list[dict[str, float]]]:
     """Rewards and last infos of the first episodes of each environment: short ones are not preferred."""
-    envs = gymnasium.make_vec(policy.maker.environment, ENVIRONMENTS, vector_kwargs={"autoreset_mode": "SameStep"}, **options)
+    envs = gymnasium.make_vec(policy.maker.environment, ENVIRONMENTS, autoreset_mode="SameStep", **options)
     chance = np.random.default_rng(seed)
     observations, _ = envs.reset(seed=seed)
     rewards, sums, left = [], np.zeros(ENVIRONMENTS), np.full(ENVIRONMENTS, -(-episodes // ENVIRONMENTS))

@@ -66,7 +66,7 @@ class Worker:
     def __init__(self, environment: str, options: dict[str, Any], hidden: list[int], episodes: int) -> None:
         import fulbito.envs  # noqa: F401  registers the environments
 
-        self._envs = gymnasium.make_vec(environment, episodes, vector_kwargs={"autoreset_mode": "Disabled", "threads": 1}, **options)
+        self._envs = gymnasium.make_vec(environment, episodes, autoreset_mode="Disabled", threads=1, **options)
         self._network = network_of(self._envs, hidden)
 
     def play(self, weights: Weights, sigma: float, round_seed: int, directions: list[int]) -> list[tuple[int, float, float]]:

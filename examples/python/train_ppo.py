@@ -71,7 +71,7 @@ def task_of(known: argparse.Namespace) -> tuple[str, dict[str, Any]]:
     options: dict[str, Any] = {"action": known.action, "frame_skip": known.frame_skip}
     if known.task == "drill":
         return "fulbito/Drill-v0", {"drill": known.drill, "split": "train", **options}
-    return "fulbito/VSS-v0", {"opponents": known.opponent, "mates": known.mates, "observation": "egocentric",
+    return "fulbito/VSS-v0", {"opponents": known.opponent, "mates": known.mates, "robot": 1, "observation": "egocentric",
                               "start": "random", "time_limit": 20.0, **options}
 
 
@@ -98,8 +98,8 @@ def main() -> None:
     known = arguments()
     torch.set_num_threads(1)  # threads of torch wait for each other wherever other programs run
     name, options = task_of(known)
-    envs = StableBaselinesVector(gymnasium.make_vec(name, ENVIRONMENTS, vector_kwargs={"autoreset_mode": "SameStep"}, **options))
-    settings: dict[str, Any] = dict(n_steps=STEPS, batch_size=4096, n_epochs=5, gamma=0.99, gae_lambda=0.95, ent_coef=0.002,
+    envs = StableBaselinesVector(gymnasium.make_vec(name, ENVIRONMENTS, autoreset_mode="SameStep", **options))
+    settings: dict[str, Any] = dict(n_steps=STEPS, batch_size=4096, n_epochs=5, gamma=0.99, gae_lambda=0.95, ent_coef=0.0,
                                     learning_rate=7e-4, clip_range=0.2, device="cpu", seed=known.seed)
     if known.start:
         model = PPO.load(known.start / "model.zip", env=envs, **settings)

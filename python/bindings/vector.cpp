@@ -1,3 +1,4 @@
+#include <exception>
 #include <memory>
 #include <vector>
 
@@ -27,9 +28,7 @@ class PyVector {
       const Exclusive::Use now(exclusive_, kWhat);
       return work();
     } catch (const Failure&) {
-      for (const SharedFailure& failure : failures_) {
-        if (failure) failure->raise();  // what a team raised says more
-      }
+      raiseKept();  // what a team raised says more
       throw;
     }
   }
@@ -154,6 +153,18 @@ class PyVector {
   }
 
  private:
+  /// Raises the first exception of a team, and drops the others: they would keep alive who holds this object.
+  void raiseKept() {
+    std::exception_ptr first;
+    for (const SharedFailure& failure : failures_) {
+      try {
+        if (failure) failure->raise();
+      } catch (const nb::python_error&) {
+        if (!first) first = std::current_exception();
+      }
+    }
+    if (first) std::rethrow_exception(first);
+  }
   VectorEnvironment& open() {
     if (!vector_) throw StateFailure("this environment is closed");
     if (vector_->forked() && vector_->threads() > 1) {

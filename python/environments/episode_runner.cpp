@@ -45,7 +45,8 @@ Result<EpisodeEnd> EpisodeRunner::restore(const EpisodeState& state, const Episo
   if (state.actions.size() % size != 0 || flawOfActions(shape(), state.actions)) {
     return fail(ErrorCode::kUsage, "the state is not one of this environment");
   }
-  const EpisodeState wanted = state;  // it may be this runner's own
+  EpisodeState wanted;
+  wanted = state;  // it may be this runner's own
   state_.seed = wanted.seed;
   state_.episodes = wanted.episodes;
   if (!wanted.start) {

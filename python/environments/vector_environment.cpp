@@ -41,8 +41,8 @@ VectorEnvironment::VectorEnvironment(std::vector<std::unique_ptr<EpisodeSource>>
     : autoreset_(settings.autoreset),
       everyone_(sources.size()),
       errors_(sources.size()),
-      exceptions_(sources.size()),
       pool_(threadsFor(settings.threads, sources.size())) {
+  exceptions_.resize(sources.size());
   runners_.reserve(sources.size());
   for (auto& source : sources) runners_.emplace_back(std::move(source), settings.remembers);
   std::iota(everyone_.begin(), everyone_.end(), 0u);

@@ -33,11 +33,13 @@ WorkerPool::WorkerPool(int threads) : process_(getpid()) {
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
-  try {
-    threads_.reserve(static_cast<std::size_t>(threads));
-    for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { work(); });
-  } catch (const std::system_error&) {  // no process left: fewer threads do the work
-  } catch (const std::bad_alloc&) {
+  threads_.reserve(static_cast<std::size_t>(threads));
+  for (int i = 1; i < threads; ++i) {
+    try {
+      threads_.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {  // no process left: fewer threads do the work
+      break;
+    }
   }
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
@@ -45,7 +47,7 @@ WorkerPool::WorkerPool(int threads) : process_(getpid()) {
 WorkerPool::~WorkerPool() {
   if (forked()) {
     // The child does not have these threads, so nothing can be joined: their handles stay.
-    new std::vector<std::thread>(std::move(threads_));
+    (void)new (std::nothrow) std::vector<std::thread>(std::move(threads_));
     return;
   }
   stop_ = true;

@@ -1,7 +1,6 @@
 """The vector environments of this package for Stable-Baselines3.
 
-    env = StableBaselinesVector(gymnasium.make_vec("fulbito/Drill-v0", 64, drill=3,
-                                                   vector_kwargs={"autoreset_mode": "SameStep"}))
+    env = StableBaselinesVector(gymnasium.make_vec("fulbito/Drill-v0", 64, drill=3, autoreset_mode="SameStep"))
     model = stable_baselines3.PPO("MlpPolicy", env)
 
 Needs the package `stable_baselines3`.
@@ -31,8 +30,8 @@ class StableBaselinesVector(VecEnv):
         mode = envs.metadata.get("autoreset_mode")
         if mode != AutoresetMode.SAME_STEP:
             raise UsageError(f"Stable-Baselines3 needs the autoreset mode SAME_STEP; this vector has {mode}")
+        self.envs = envs  # first: the base class asks it for its render mode
         super().__init__(envs.num_envs, envs.single_observation_space, envs.single_action_space)
-        self.envs = envs
         self._actions: NDArray[Any] = np.zeros(0)
         self._rewards = np.zeros(envs.num_envs)
         self._lengths = np.zeros(envs.num_envs, dtype=np.int64)

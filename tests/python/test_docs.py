@@ -1,4 +1,4 @@
-"""The code of docs/python.md runs, block after block."""
+"""The code of docs/python.md and docs/environments.md runs, block after block."""
 
 import re
 from pathlib import Path
@@ -19,3 +19,15 @@ def test_the_page_of_python_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     assert (tmp_path / "match.html").is_file()
     assert len(list(names["film"])) == 20
     assert names["ball"].shape[1] == 2
+
+
+def test_the_page_of_environments_runs() -> None:
+    pytest.importorskip("gymnasium")
+    pytest.importorskip("pettingzoo")
+    page = PAGE.with_name("environments.md")
+    blocks = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    assert len(blocks) >= 6
+    names: dict[str, Any] = {}
+    for block in blocks:
+        exec(compile(block, str(page), "exec"), names)
+    assert names["observations"]

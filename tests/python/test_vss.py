@@ -209,6 +209,23 @@ def test_policies_drive_the_others_of_a_vector() -> None:
         assert rewards.shape == (3,) and rewards[1] == reward
 
 
+def test_a_class_plays_in_each_environment_of_a_vector() -> None:
+    vector = gymnasium.make_vec("fulbito/VSS-v0", 4, opponents=Ahead, threads=3)
+    single = gymnasium.make("fulbito/VSS-v0", opponents=Ahead)
+    observations, seen = vector.reset(seed=5)[0], single.reset(seed=7)[0]
+    for _ in range(50):
+        np.testing.assert_array_equal(observations[2], seen)
+        observations = vector.step(np.ones((4, 2), np.float32))[0]
+        seen = single.step(np.ones(2, np.float32))[0]
+    broken = gymnasium.make_vec("fulbito/VSS-v0", 4, opponents=Broken, threads=3)
+    with pytest.raises(fulbito.TeamError, match="no idea"):
+        broken.reset(seed=1)
+        broken.step(np.ones((4, 2), np.float32))
+    broken.close()
+    with pytest.raises(fulbito.UsageError, match="needs its class"):
+        gymnasium.make_vec("fulbito/VSS-v0", 2, opponents=Ahead())
+
+
 def test_what_a_team_raises_is_told() -> None:
     env = gymnasium.make("fulbito/VSS-v0", opponents=Broken)
     with pytest.raises(fulbito.TeamError, match="no idea") as caught:

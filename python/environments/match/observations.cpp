@@ -127,8 +127,8 @@ int ObservationWriter::write(const Observation& seen, std::span<const float> sha
   numbers.copy(own.first(robot * kOther));
   numbers.copy(own.subspan((robot + 1) * kOther));
   numbers.clip(kObservedBound);
-  const auto isAtBound = [](float number) { return std::abs(number) >= kObservedBound; };
-  return static_cast<int>(std::count_if(out.begin(), out.end(), isAtBound));
+  const auto at_bound = [](float number) { return std::abs(number) >= kObservedBound; };
+  return static_cast<int>(std::count_if(out.begin(), out.end(), at_bound));
 }
 
 }  // namespace fulbito

@@ -83,6 +83,7 @@ Result<void> checkRanges(const MatchTask& task) {
         std::find_if(keys.begin(), keys.end(), [&](const auto& k) { return k.first == range.key; });
     if (found == keys.end()) {
       std::vector<std::string> names;
+      names.reserve(keys.size());
       for (const auto& [name, key] : keys) names.push_back(name);
       return fail(ErrorCode::kUsage,
                   fmt::format("randomise: there is no '{}'.{}", range.key, suggestion(range.key, names)));

@@ -22,13 +22,14 @@ def play(name: str, episodes: int, seed: int, settings: dict[str, Any]) -> str:
     left = np.full(count, episodes // count) + (np.arange(count) < episodes % count)
     returns, sums, lengths = [], np.zeros(count), np.zeros(count)
     terminations = 0
+    successes: list[float] = []
     begun_at, steps = time.monotonic(), 0
     while left.any():
         if isinstance(space, gymnasium.spaces.Discrete):
             actions = random.integers(space.n, size=count)
         else:
             actions = random.uniform(-1, 1, (count, *(space.shape or ()))).astype(np.float32)
-        _, rewards, terminated, truncated, _ = vector.step(actions)
+        _, rewards, terminated, truncated, infos = vector.step(actions)
         steps += count
         sums += rewards
         lengths += 1
@@ -36,6 +37,8 @@ def play(name: str, episodes: int, seed: int, settings: dict[str, Any]) -> str:
         for i in np.flatnonzero(ended):
             returns.append((sums[i], lengths[i]))
             terminations += int(terminated[i])
+            if "success" in infos:
+                successes.append(float(infos["success"][i]))
         over = terminated | truncated
         left -= ended
         sums[over], lengths[over] = 0.0, -1.0  # the step that begins the next episode does not count
@@ -45,7 +48,8 @@ def play(name: str, episodes: int, seed: int, settings: dict[str, Any]) -> str:
     error = gained.std(ddof=1) / np.sqrt(len(gained)) if len(gained) > 1 else float("nan")
     return (f"{name}: {len(gained)} episodes of random actions\n"
             f"return {gained.mean():.2f} ± {error:.2f}, {long.mean():.0f} steps, "
-            f"{100 * terminations / len(gained):.0f} % terminated\n"
+            f"{100 * terminations / len(gained):.0f} % terminated"
+            + (f", {100 * float(np.mean(successes)):.1f} % successes\n" if successes else "\n") +
             f"{steps / seconds:,.0f} steps per second")
 
 

@@ -47,7 +47,15 @@ def _seats(settings: MatchSettings, robot: int, mates: Any, opponents: Any) -> d
     return {"make_source": settings.source, "agent": robot if blue > 1 else 0, "others": others}
 
 
-def _vss(settings: dict[str, Any]) -> dict[str, Any]:
+def _check_classes(num_envs: int, **teams: Any) -> None:
+    """A team that is an object plays one match at a time."""
+    for name, team in teams.items():
+        if num_envs > 1 and not isinstance(team, (str, type, type(None))) and not _is_policy(team):
+            raise UsageError(f"{name}: {team!r} plays one match at a time; a vector needs its class")
+
+
+def _vss(settings: dict[str, Any], num_envs: int = 1) -> dict[str, Any]:
+    _check_classes(num_envs, mates=settings.get("mates"), opponents=settings.get("opponents"))
     return _seats(vss_settings(**settings), settings.get("robot", 0), settings.get("mates"), settings.get("opponents"))
 
 
@@ -77,7 +85,7 @@ class VSSVectorEnv(EpisodeVectorEnv):
                  autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP, states: bool = False,
                  render_mode: str | None = None, render_width: int = 600, **settings: Any) -> None:
         """Args: see `vss_settings`, MatchSettings and EpisodeVectorEnv."""
-        super().__init__(**_vss(settings), num_envs=num_envs, threads=threads, autoreset_mode=autoreset_mode,
+        super().__init__(**_vss(settings, num_envs), num_envs=num_envs, threads=threads, autoreset_mode=autoreset_mode,
                          states=states, render_mode=render_mode, render_width=render_width)
 
 
@@ -99,6 +107,7 @@ class VSSCompatVectorEnv(EpisodeVectorEnv):
                  mates: Any = _COMPAT_OTHERS, opponents: Any = _COMPAT_OTHERS,
                  render_mode: str | None = None, render_width: int = 600) -> None:
         """Args: see `compat_settings` and EpisodeVectorEnv."""
+        _check_classes(num_envs, mates=mates, opponents=opponents)
         super().__init__(compat_settings(mates=mates, opponents=opponents).source, num_envs, threads=threads,
                          autoreset_mode=autoreset_mode, states=states, render_mode=render_mode,
                          render_width=render_width)
