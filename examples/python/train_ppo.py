@@ -72,7 +72,7 @@ def task_of(known: argparse.Namespace) -> tuple[str, dict[str, Any]]:
     if known.task == "drill":
         return "fulbito/Drill-v0", {"drill": known.drill, "split": "train", **options}
     return "fulbito/VSS-v0", {"opponents": known.opponent, "mates": known.mates, "robot": 1, "observation": "egocentric",
-                              "start": "random", "time_limit": 20.0, **options}
+                              "start": known.start_of_play, "end": known.end, "time_limit": known.seconds, **options}
 
 
 def arguments() -> argparse.Namespace:
@@ -83,9 +83,12 @@ def arguments() -> argparse.Namespace:
     vss = tasks.add_parser("vss", help="matches: fulbito/VSS-v0")
     vss.add_argument("--opponent", default="classic", help="team specification (default: classic)")
     vss.add_argument("--mates", default="classic", help="team that drives the other robots (default: classic)")
+    vss.add_argument("--start", dest="start_of_play", default="random", help="random or kick-off (default: random)")
+    vss.add_argument("--end", default="goal", help="goal, or match: play goes on after goals (default: goal)")
+    vss.add_argument("--seconds", type=float, default=20.0, help="longest episode [s] (default: 20)")
     for task in (drill, vss):
         task.add_argument("--out", type=Path, required=True, help="folder for model.zip and policy.onnx")
-        task.add_argument("--from", dest="start", type=Path, help="folder of a trained policy to go on from")
+        task.add_argument("--from", dest="before", type=Path, help="folder of a trained policy to go on from")
         task.add_argument("--minutes", type=float, default=12.0, help="time limit (default: 12)")
         task.add_argument("--steps", type=int, default=50_000_000, help="largest number of steps")
         task.add_argument("--frame-skip", type=int, default=3, help="control ticks per action (default: 3)")
@@ -101,8 +104,8 @@ def main() -> None:
     envs = StableBaselinesVector(gymnasium.make_vec(name, ENVIRONMENTS, autoreset_mode="SameStep", **options))
     settings: dict[str, Any] = dict(n_steps=STEPS, batch_size=4096, n_epochs=5, gamma=0.99, gae_lambda=0.95, ent_coef=0.0,
                                     learning_rate=7e-4, clip_range=0.2, device="cpu", seed=known.seed)
-    if known.start:
-        model = PPO.load(known.start / "model.zip", env=envs, **settings)
+    if known.before:
+        model = PPO.load(known.before / "model.zip", env=envs, **settings)
     else:
         model = PPO("MlpPolicy", envs, policy_kwargs={"net_arch": HIDDEN, "activation_fn": torch.nn.Tanh, "log_std_init": -0.5}, **settings)
     progress = Progress(known.minutes)

@@ -3,8 +3,8 @@
     policy = Policy.load("striker.onnx")
     action = policy(observation)
 
-A file knows for which environment it was made. Loading needs `pip install "fulbito[onnx]"`, and writing the package
-`onnx`, too. `fulbito.policy_team` plays a file as a team.
+A file knows for which environment it was made. It needs `pip install "fulbito[onnx]"`. `fulbito.policy_team` plays a file as
+a team.
 """
 
 import json
@@ -106,7 +106,7 @@ def save_policy(path: Union[str, Path], layers: Sequence[tuple[ArrayLike, ArrayL
         import onnx
         from onnx import TensorProto, helper, numpy_helper
     except ImportError as error:
-        raise UsageError("writing a policy needs the package onnx: pip install onnx") from error
+        raise UsageError('writing a policy needs the package onnx: pip install "fulbito[onnx]"') from error
     arrays = [(np.asarray(w, dtype=np.float32), np.asarray(b, dtype=np.float32)) for w, b in layers]
     if not arrays:
         raise UsageError("a policy has at least one layer")

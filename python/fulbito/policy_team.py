@@ -8,7 +8,9 @@ that is `PolicyTeam`, which you can subclass. `--all` lets the policy drive all 
 """
 
 import argparse
+import contextlib
 import math
+import os
 import sys
 from pathlib import Path
 from typing import Any, Mapping, Optional, Sequence, Union
@@ -25,8 +27,8 @@ __all__ = ["PolicyTeam", "main"]
 
 _NEARER = 0.1  # [m] by which another robot must be nearer to the ball to take over, so that roles do not flap
 _KEEPER_OUT = 0.06  # [m] the keeper's centre before the goal line: a robot's length fits
-_SHADOW = 0.35  # share of the way from the ball to the own goal at which the others wait
-_ASIDE = 0.12  # [m] between robots that wait
+_SHADOW = 0.5  # share of the way from the ball to the own goal at which the others wait
+_ASIDE = 0.1  # [m] between robots that wait
 
 
 class PolicyTeam(Team):
@@ -100,24 +102,32 @@ class PolicyTeam(Team):
         """What a robot does that the policy does not drive. Robot 0 keeps goal, the others wait behind the ball."""
         field, ball = self.info.field, seen.ball
         if number == 0:
-            return self._keep(robot, ball.y)
-        aside = _ASIDE if number % 2 else -_ASIDE
-        x = ball.x + _SHADOW * (-field.length / 2 - ball.x)
-        return GoTo(max(x, -field.length / 2 + field.goal_area_depth + self.info.robot.length), ball.y * (1 - _SHADOW) + aside,
-                    stop=True, avoid_ball=True)
+            return self._keep(robot, self._crossing(seen))
+        waiting = [n for n, other in enumerate(seen.own) if other is not None and n not in (0, self._striker)]
+        aside = _ASIDE * (waiting.index(number) - (len(waiting) - 1) / 2) if number in waiting else 0.0
+        goal = -field.length / 2
+        x = max(ball.x + _SHADOW * (goal - ball.x), goal + field.goal_area_depth + self.info.robot.length)
+        way = (x - goal) / max(ball.x - goal, 1e-3)
+        return GoTo(x, ball.y * min(way, 1.0) + aside, stop=True, avoid_ball=True)
+
+    def _crossing(self, seen: Observation) -> float:
+        """[m] Where the ball passes the keeper's line if it goes on as it does; else where it is now."""
+        ball, line = seen.ball, -self.info.field.length / 2 + _KEEPER_OUT
+        if ball.vx > -0.1 or ball.x < line:
+            return ball.y
+        return ball.y + ball.vy * (line - ball.x) / ball.vx
 
     def _keep(self, robot: Robot, y: float) -> Command:
-        """Along the goal line to where the ball is, with whichever end leads."""
+        """Along the goal line to that place, with whichever end leads."""
         field = self.info.field
         line, reach = -field.length / 2 + _KEEPER_OUT, field.goal_width / 2 - self.info.robot.width / 2
         wanted = min(max(y, -reach), reach)
-        if abs(robot.x - line) > 0.04 or abs(math.cos(robot.heading)) > 0.35:
-            if math.hypot(robot.x - line, robot.y - wanted) > 0.05:
-                return GoTo(line, wanted, heading=math.pi / 2, stop=True)
-            turn = math.remainder(math.pi / 2 - robot.heading, math.pi)
-            return Twist(0.0, 8.0 * turn)
-        sense = 1.0 if math.sin(robot.heading) > 0 else -1.0
         upright = math.remainder(math.pi / 2 - robot.heading, math.pi)
+        if abs(robot.x - line) > 0.04:
+            return GoTo(line, wanted, heading=math.pi / 2, stop=True)
+        if abs(upright) > 0.35:
+            return Twist(0.0, 8.0 * upright)
+        sense = 1.0 if math.sin(robot.heading) > 0 else -1.0
         return Twist(sense * 10.0 * (wanted - robot.y), 8.0 * upright)
 
     def _gap(self, seen: Observation, number: int) -> float:
@@ -150,6 +160,18 @@ class PolicyTeam(Team):
         self._commands, self._seen = {}, {}
 
 
+def _import_quietly() -> None:
+    """ONNX Runtime looks for GPUs when it is imported. In a sandbox it may not, and says so each time."""
+    with contextlib.suppress(OSError, ImportError), open(os.devnull, "wb") as nothing:
+        kept = os.dup(2)
+        try:
+            os.dup2(nothing.fileno(), 2)
+            import onnxruntime  # noqa: F401  Policy.load uses it
+        finally:
+            os.dup2(kept, 2)
+            os.close(kept)
+
+
 def main(words: Optional[Sequence[str]] = None) -> int:
     """The command `python -m fulbito.policy_team`: a team's program. Returns its exit code."""
     parser = argparse.ArgumentParser(
@@ -158,6 +180,7 @@ def main(words: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("policy", help="an ONNX file of fulbito.policy.save_policy")
     parser.add_argument("--all", action="store_true", help="the policy drives all robots, and none keeps goal")
     known = parser.parse_args(words)
+    _import_quietly()
     try:
         team = PolicyTeam(known.policy, all_robots=known.all)
     except FulbitoError as error:
