@@ -121,7 +121,7 @@ def save_policy(path: Union[str, Path], layers: Sequence[tuple[ArrayLike, ArrayL
         if i + 1 < len(arrays):
             nodes.append(helper.make_node("Tanh", [name], [f"t{i}"]))
             name = f"t{i}"
-    constants += [numpy_helper.from_array(np.float32(-1), "low"), numpy_helper.from_array(np.float32(1), "high")]
+    constants += [numpy_helper.from_array(np.array(-1, np.float32), "low"), numpy_helper.from_array(np.array(1, np.float32), "high")]
     nodes.append(helper.make_node("Clip", [name, "low", "high"], ["action"]))
     graph = helper.make_graph(
         nodes, "policy", [helper.make_tensor_value_info("observation", TensorProto.FLOAT, ["count", arrays[0][0].shape[1]])],

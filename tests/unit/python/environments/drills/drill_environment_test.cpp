@@ -8,6 +8,7 @@
 #include "python/environments/sight.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_stream.hpp"
+#include "tests/unit/python/environments/one_agent.hpp"
 
 namespace fulbito {
 namespace {
@@ -19,29 +20,7 @@ DrillSettings settingsOf(int number) {
   return settings;
 }
 
-/// An environment with memory for what it tells.
-struct Room {
-  std::unique_ptr<DrillEnvironment> environment;
-  std::vector<float> observation;
-  std::vector<double> rewards{0.0}, terms, figures;
-
-  explicit Room(const DrillSettings& settings) {
-    auto made = DrillEnvironment::create(settings);
-    if (!made) FAIL(made.error().message);
-    environment = std::move(*made);
-    observation.resize(environment->shape().observation);
-    terms.resize(environment->shape().terms.size());
-    figures.resize(environment->shape().figures.size());
-  }
-
-  EpisodeView view() { return {observation, rewards, terms, figures}; }
-  void begin(const EpisodeStart& start) { REQUIRE(environment->begin(start, view())); }
-  EpisodeEnd step(const std::vector<float>& action) {
-    const auto end = environment->step(action, view());
-    if (!end) FAIL(end.error().message);
-    return *end;
-  }
-};
+using Room = test::OneAgent<DrillEnvironment>;
 
 /// Sum of all that a random agent sees and gets, to compare bits.
 double randomEpisode(Room& room, const EpisodeStart& start) {

@@ -10,40 +10,12 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test_stream.hpp"
+#include "tests/unit/python/environments/one_agent.hpp"
 
 namespace fulbito {
 namespace {
 
-/// An environment with memory for what it tells.
-struct Lane {
-  std::unique_ptr<NavigationEnvironment> environment;
-  std::vector<float> observation;
-  std::vector<double> rewards{0.0}, terms, figures;
-
-  explicit Lane(const NavigationSettings& settings) {
-    auto made = NavigationEnvironment::create(settings);
-    if (!made) FAIL(made.error().message);
-    environment = std::move(*made);
-    observation.resize(environment->shape().observation);
-    terms.resize(environment->shape().terms.size());
-    figures.resize(environment->shape().figures.size());
-  }
-
-  EpisodeView view() { return {observation, rewards, terms, figures}; }
-  void begin(const EpisodeStart& start) {
-    const auto begun = environment->begin(start, view());
-    if (!begun) FAIL(begun.error().message);
-  }
-  EpisodeEnd step(std::vector<float> action) {
-    const auto end = environment->step(action, view());
-    if (!end) FAIL(end.error().message);
-    double sum = 0.0;
-    for (const double term : terms) sum += term;
-    REQUIRE(rewards[0] == sum);
-    for (const float number : observation) REQUIRE(std::abs(number) <= kSightBound);
-    return *end;
-  }
-};
+using Lane = test::OneAgent<NavigationEnvironment>;
 
 double randomEpisode(Lane& lane, const EpisodeStart& start) {
   lane.begin(start);
