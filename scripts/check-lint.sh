@@ -59,7 +59,7 @@ reached() {
 # Prints what the build compiles in the folders: files, or groups of files.
 compiled() {
   sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' "$build/compile_commands.json" | sort -u | grep -E \
-    "^$root/(($folders)/.*\.cpp|$build/($folders)/.*Unity/.*\.cxx)$"
+    "^$root/(($folders)/.*\.cpp|$build/($folders)/.*Unity/.*\.cxx)$" | grep -v /learnt/  # a library of the SDK, as the examples are
 }
 
 # Prints the project's files in a compiled file.
@@ -104,7 +104,7 @@ recent_base() {
 }
 
 base=$(scripts/base-commit.sh)
-options=(-p "$build" --quiet)
+options=(-p "$build" --quiet --header-filter="($folders)/.*\.[ch]pp$")
 unless_slow=--checks=-performance-unnecessary-value-param  # takes up to half of a group's time
 if [ -z "$base" ] && [ "${FULBITO_BASE:-}" != none ]; then
   base=$(recent_base)
