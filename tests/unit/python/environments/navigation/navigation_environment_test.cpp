@@ -164,7 +164,7 @@ TEST_CASE("a forbidden contact may end an episode", "[unit]") {
 TEST_CASE("an episode can be seen and recorded", "[unit]") {
   const test::ScratchFolder folder;
   const std::string file = (folder.path() / "episode.fbr").string();
-  Lane lane({});
+  Lane lane(NavigationSettings{});
   REQUIRE(lane.environment->record(file));
   lane.begin({1, ""});
   EpisodeEnd end;
@@ -197,7 +197,7 @@ TEST_CASE("what is no layout, suite or range is refused with the reason", "[unit
   settings = {};
   settings.weights[0] = std::nan("");
   CHECK(why(settings) == "rewards: success is not finite");
-  Lane lane({});
+  Lane lane(NavigationSettings{});
   CHECK(lane.environment->begin({1, "trial 3"}, lane.view()).error().message ==
         "start: 'trial 3' is not 'layout N', 'layout N of seed S' or 'layout NAME'");
   CHECK(lane.environment->begin({1, "layout north"}, lane.view()).error().message ==
