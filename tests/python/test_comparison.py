@@ -101,7 +101,8 @@ def test_lists() -> None:
 
 
 def test_ctrl_c_stops_a_comparison() -> None:
-    script = ("import fulbito; print('go', flush=True)\n"
+    # What is started in the background of a shell ignores the signal until it says otherwise.
+    script = ("import fulbito, signal; signal.signal(signal.SIGINT, signal.default_int_handler); print('go', flush=True)\n"
               "try: fulbito.compare('corner', ['dwa'], trials=100000, jobs=2)\n"
               "except KeyboardInterrupt: print('stopped')\n")
     with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True,

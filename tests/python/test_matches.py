@@ -165,7 +165,9 @@ def test_several_threads_play_at_once() -> None:
 
 @pytest.mark.parametrize("blue", ["'libero'", "Chaser"])
 def test_ctrl_c_stops_a_match(blue: str, tmp_path: Path) -> None:
-    script = ("import fulbito, sys; from teams import Chaser; print('go', flush=True)\n"
+    # What is started in the background of a shell ignores the signal until it says otherwise.
+    script = ("import fulbito, signal; from teams import Chaser\n"
+              "signal.signal(signal.SIGINT, signal.default_int_handler); print('go', flush=True)\n"
               "try: fulbito.play(%s, 'libero', half_seconds=590)\n"
               "except KeyboardInterrupt: print('stopped')\n" % blue)
     paths = os.pathsep.join([str(Path(__file__).parent), *sys.path])
