@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import fulbito
 from fulbito.ray_tournament import play_shard
 
 gymnasium = pytest.importorskip("gymnasium")
@@ -59,7 +60,6 @@ def test_ppo_learns_from_the_vector() -> None:
 
 def test_other_modes_are_refused() -> None:
     pytest.importorskip("stable_baselines3")
-    import fulbito
     from fulbito.stable_baselines import StableBaselinesVector
 
     with pytest.raises(fulbito.UsageError, match="SAME_STEP"):
@@ -171,6 +171,7 @@ def test_evolution_on_two_nodes_does_not_depend_on_the_workers(cluster: Any, tmp
     assert (tmp_path / "1" / "policy.onnx").read_bytes() == (tmp_path / "2" / "policy.onnx").read_bytes()
 
 
+@pytest.mark.skipif(not fulbito.program_path().is_file(), reason="built without the program")
 def test_a_shard_needs_no_ray(tmp_path: Path) -> None:
     done = play_shard(["classic", "idle"], "1/1", ["--half-seconds", "5"], None)
     assert done.code == 0
