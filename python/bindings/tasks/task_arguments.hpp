@@ -20,7 +20,7 @@
 
 namespace fulbito::python {
 
-/// @{ Arguments that environments of drills and of navigation share. Errors: UsageError with the argument's
+/// @{ Arguments that environments share. Errors: UsageError with the argument's
 /// name. The quality of observations; empty if no argument asks for any.
 inline std::optional<SensorModel> readSensors(const Arguments& from) {
   constexpr int kNone = std::numeric_limits<int>::min();

@@ -1,13 +1,12 @@
 #include <array>
 #include <map>
 #include <nanobind/stl/map.h>
-#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include "python/bindings/bind.hpp"
 #include "python/bindings/python_team.hpp"
-#include "python/bindings/sources.hpp"
+#include "python/bindings/tasks/task_arguments.hpp"
 #include "python/environments/match/environment.hpp"
 #include "referee/rules/detector_schema.hpp"
 
@@ -53,18 +52,11 @@ void readModels(const Arguments& from, MatchTask& task) {
   physics.control_rate = from.get<int>("control_rate", physics.control_rate, "whole number");
   physics.substeps = from.get<int>("substeps", physics.substeps, "whole number");
   task.match.robot = valueOf(loadRobot(from.get<std::string>("robot_model", "vsss", "text")));
-  using Ranges = std::map<std::string, std::pair<double, double>>;
-  for (const auto& [key, range] : from.get<Ranges>("randomise", {}, "dict of pairs of numbers")) {
-    task.ranges.push_back({key, range.first, range.second});
-  }
+  task.ranges = readRanges(from);
 }
 
 void readVision(const Arguments& from, MatchTask& task) {
-  VisionModel vision;
-  vision.latency_ticks = from.get<int>("latency_ticks", 0, "whole number");
-  vision.position_noise = from.get<double>("position_noise", 0.0, "number");
-  vision.heading_noise = from.get<double>("heading_noise", 0.0, "number");
-  vision.dropout = from.get<double>("dropout", 0.0, "number");
+  const VisionModel vision = readSensors(from).value_or(VisionModel{});
   for (const RobotId agent : agentsOf(task)) task.match.vision[indexOf(agent.team)] = vision;
 }
 
