@@ -82,8 +82,12 @@ Json teamJson(const TeamInfo& info) {
                {"summary", info.summary},
                {"takes_navigator", info.takes_navigator},
                {"default_navigator", info.default_navigator},
-               {"parameters", Json::array()}};
+               {"parameters", Json::array()},
+               {"skills", Json::array()}};
   for (const ParameterSpec& spec : info.parameters) json["parameters"].push_back(parameterJson(spec));
+  for (const SkillInfo& skill : info.skills) {
+    json["skills"].push_back({{"role", skill.role}, {"name", skill.name}, {"summary", skill.summary}});
+  }
   return json;
 }
 
@@ -109,6 +113,17 @@ void printNavigators() {
       "bezier:clearance=0.03,follower=classic\n");
 }
 
+/// The play book, role by role, in the order of priority.
+void printSkills(const std::vector<SkillInfo>& skills) {
+  if (skills.empty()) return;
+  say("    {:<16} {}\n", "without", "leaves skills out: NAME+NAME; all but the last of a role");
+  std::string role;
+  for (const SkillInfo& skill : skills) {
+    if (skill.role != role) say("    skills of: {}\n", role = skill.role);
+    say("      {:<14} {}\n", skill.name, skill.summary);
+  }
+}
+
 void printTeams() {
   for (const auto& info : TeamCatalogue::builtIn().teams()) {
     say("{}\n  {}\n", info->name, info->summary);
@@ -116,6 +131,7 @@ void printTeams() {
     if (info->takes_navigator) {
       say("    {:<16} {}; any of fulbito list navigators\n", "navigator", info->default_navigator);
     }
+    printSkills(info->skills);
   }
   say("Example with parameters: fulbito match classic:navigator=bezier:clearance=0.03+follower=classic\n");
 }

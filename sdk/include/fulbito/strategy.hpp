@@ -270,6 +270,14 @@ class Strategy {
   virtual std::optional<ExerciseReply> exercise(const Observation&, const Exercise&) { return std::nullopt; }
 };
 
+/// A skill of a team's play book. The setting `without=NAME+NAME` leaves skills out, to measure what they are
+/// worth.
+struct SkillInfo {
+  std::string role;     ///< whose table it is in: "keeper", "striker" ...
+  std::string name;     ///< as in `without`
+  std::string summary;  ///< one line: "when it is used: what the robot does"
+};
+
 /// The entry of one kind of team in a catalogue, built in or a user's own.
 struct TeamInfo {
   std::string name;                       ///< as in specifications
@@ -280,6 +288,8 @@ struct TeamInfo {
   /// Creates the team from settings, `navigator` included. Errors: kUsage.
   std::function<Result<std::unique_ptr<Strategy>>(const std::vector<Setting>&)> make;
   bool outside = false;  ///< a file or a program: the rules limit its time unless the match does
+  /// The play book: role by role, in the order of priority. Empty: the team has none and takes no `without`.
+  std::vector<SkillInfo> skills = {};
 };
 
 /// A team and its settings, for a seat of a match. The entry lives as long as any choice of it.
