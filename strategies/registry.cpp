@@ -21,6 +21,7 @@ TeamInfo classicInfo();
 /// The flagship team: a striker, a support and a keeper who exchange their roles during play
 /// (docs/libero.md).
 TeamInfo liberoInfo();
+TeamInfo twinsInfo();
 
 TeamChoice TeamChoice::own(std::string name, std::function<std::unique_ptr<Strategy>()> make) {
   TeamInfo info;
@@ -33,7 +34,7 @@ TeamChoice TeamChoice::own(std::string name, std::function<std::unique_ptr<Strat
 
 TeamCatalogue TeamCatalogue::builtIn() {
   TeamCatalogue catalogue;
-  for (auto& info : {idleInfo(), randomTeamInfo(), chaserInfo(), classicInfo(), liberoInfo()}) {
+  for (auto& info : {idleInfo(), randomTeamInfo(), chaserInfo(), classicInfo(), liberoInfo(), twinsInfo()}) {
     catalogue.teams_.push_back(std::make_shared<const TeamInfo>(info));
   }
   return catalogue;
