@@ -33,7 +33,8 @@ struct DriveField {
     const double off = math::wrapAngle(toward - math::angleOf(goal.direction));
     // Beside or behind the ball the nearer way is right, whatever the walls.
     const double sense = side != 0.0 && std::abs(off) > math::kPi / 2 ? side : std::copysign(1.0, off);
-    const double tangent = gap > circle ? math::asin(circle / gap) : math::kPi / 2 + 0.5 * (1.0 - gap / circle);
+    const double tangent =
+        gap > circle ? math::asin(circle / gap) : math::kPi / 2 + 0.5 * (1.0 - gap / circle);
     const double turn = std::min(goal.bend * std::abs(off), tangent);
     return alongWalls(p, toward + sense * turn);
   }

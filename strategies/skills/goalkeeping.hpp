@@ -24,9 +24,12 @@ class LineKeeper {
   bool mayLeave(const MatchInfo& info, const Foresight& foresight, const Observation& now, std::size_t i,
                 const Settings& settings) const;
 
+  Twist slide(const MatchInfo& info, const RobotState& robot, Vec2 place);
+
   BallDrive drive_;
   SpinKick spin_;
   bool out_ = false;
+  double stroke_ = 1.0;  ///< +1 or -1: the side of the next stroke back onto the line
 };
 
 }  // namespace fulbito

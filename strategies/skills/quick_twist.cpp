@@ -13,7 +13,8 @@ RobotCommand quickTwist(const RobotModel& model, const RobotState& robot, Twist 
   const double left = most_turn > 0.0 ? 1.0 - std::abs(turn) / most_turn : 0.0;  // share for the speed
   const double speed = dot(robot.velocity, math::unit(robot.pose.heading));
   const bool brakes = (wanted.linear - speed) * speed < 0.0;
-  const double rate = std::min(brakes ? model.wheel_braking : model.wheel_acceleration, model.longitudinal_grip);
+  const double rate =
+      std::min(brakes ? model.wheel_braking : model.wheel_acceleration, model.longitudinal_grip);
   const double step = rate * dt * left;
   Twist twist;
   twist.angular = std::clamp(robot.angular_velocity + turn, -model.maxSpeed() / half_track,

@@ -11,7 +11,13 @@
 #include "strategies/skills/quick_twist.hpp"
 #include "strategies/skills/shot_geometry.hpp"
 
-namespace fulbito {
+namespace fulbito::sparring {
+namespace {
+
+constexpr double kAtWall = 0.02;    // [m] from ball to wall: a narrower gap has no room for a robot's body
+constexpr double kPressing = 0.12;  // [m] between the centres of ball and robot: the robot presses the ball
+
+}  // namespace
 
 void School::begin(const MatchInfo& info) {
   info_ = info;
@@ -55,8 +61,9 @@ void School::rank(const Observation& now) {
     costs[i] = cost(now, i) - (had && i == before && !foresight_.playBegan() ? kBetter : 0.0);
     order_[players_++] = i;
   }
-  std::sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(players_),
-            [&](std::size_t a, std::size_t b) { return costs[a] < costs[b] || (costs[a] == costs[b] && a < b); });
+  std::sort(
+      order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(players_),
+      [&](std::size_t a, std::size_t b) { return costs[a] < costs[b] || (costs[a] == costs[b] && a < b); });
 }
 
 Vec2 School::meeting(const Observation& now, std::size_t i, Vec2 aim) const {
@@ -67,7 +74,7 @@ Vec2 School::meeting(const Observation& now, std::size_t i, Vec2 aim) const {
 }
 
 Vec2 School::wanted(const Observation& now, Vec2 ball) const {
-  const double at_wall = info_.ball.radius + 0.02;  // [m] a narrower gap has no room for a robot's body
+  const double at_wall = info_.ball.radius + kAtWall;
   const double end = field().length / 2 - std::abs(ball.x);
   const double side = ball.y > 0.0 ? 1.0 : -1.0;
   const bool beside_goal = std::abs(ball.y) > field().goal_width / 2;
@@ -111,8 +118,8 @@ RobotCommand School::drive(const Observation& now, std::size_t i, DriveGoal goal
   return twist(now, i, memory_[i].drive.update(info_, now.own[i].state, goal));
 }
 
-/// Head-on, two robots hold the ball between them and the heavier train wins. Off its centre the ball leaves to
-/// the side where the opponent is not.
+/// Head-on, two robots hold the ball between them and the heavier train wins. Off its centre the ball leaves
+/// to the side where the opponent is not.
 Vec2 School::pastOpponent(const Observation& now, Vec2 ball, Vec2 straight) const {
   constexpr double kNear = 0.4, kOff = 0.35;  // [m], [rad]
   double nearest = kNear, aside = 0.0;
@@ -144,7 +151,8 @@ std::optional<TeamProposal> School::place(const PlacementRequest& request) {
   return placement;
 }
 
-/// Whether robot `i` takes a kick-off or penalty for which it was placed: it drives on until the ball has left.
+/// Whether robot `i` takes a kick-off or penalty for which it was placed: it drives on until the ball has
+/// left.
 bool School::isKicking(const Observation& now, std::size_t i) const {
   constexpr double kWhile = 0.8, kAway = 0.12, kStraight = 0.3;  // [s], [m], [rad]
   const bool kick = now.restart == RestartKind::kPenalty || now.restart == RestartKind::kKickOff;
@@ -155,21 +163,25 @@ bool School::isKicking(const Observation& now, std::size_t i) const {
   return straight && (norm(to_ball) < kAway || now.since_restart < 0.3);
 }
 
-RobotCommand School::attack(const Observation& now, std::size_t i) {
+RobotCommand School::attack(const Observation& now, std::size_t i, const Style& style) {
   const RobotState& robot = now.own[i].state;
   if (isKicking(now, i)) return twist(now, i, {info_.robot.maxSpeed(), 0.0});
-  const Vec2 ball = meeting(now, i, now.ball.position + wanted(now, now.ball.position));
+  const auto direction = [&](Vec2 from) {
+    const bool free = style.toward && wallClearance(field(), from) > info_.ball.radius + kAtWall;
+    return free ? unitOr(*style.toward - from, {1.0, 0.0}) : wanted(now, from);
+  };
+  const Vec2 ball = meeting(now, i, now.ball.position + direction(now.ball.position));
   if (now.own[0].present && isInArea(field(), ball, true)) {
     return stand(outsideArea(field(), ball + Vec2{0.1, 0.0}, true, 0.1));
   }
-  DriveGoal goal{ball, wanted(now, ball)};
-  if (const auto turn = spin(now, i, goal.direction)) return *turn;
+  DriveGoal goal{ball, direction(ball), style.bend, style.room};
+  if (const auto turn = spin(now, i, goal.direction, style.spins)) return *turn;
   // A ball that an opponent reaches first is hit straight, if that sends it upfield.
-  constexpr double kReserve = 0.1, kUpfield = 0.3;
+  constexpr double kReserve = 0.1, kUpfield = 0.3;  // [s], [1]
   const Vec2 straight = unitOr(ball - robot.pose.position, {1.0, 0.0});
   const double mine = timeToReach(foresight_.pace(), robot, ball - goal.direction * 0.06);
-  const bool at_wall = wallClearance(field(), ball) < info_.ball.radius + 0.02;
-  if (!at_wall && theirTime(now, ball) < mine + kReserve && straight.x > kUpfield) {
+  const bool at_wall = wallClearance(field(), ball) < info_.ball.radius + kAtWall;
+  if (style.straight && !at_wall && theirTime(now, ball) < mine + kReserve && straight.x > kUpfield) {
     goal.direction = straight;
   }
   return drive(now, i, goal);
@@ -216,6 +228,7 @@ std::optional<RobotCommand> School::legal(const Observation& now, std::size_t i,
 std::optional<RobotCommand> School::yielding(const Observation& now, std::size_t i, std::size_t rank) const {
   const RobotState& robot = now.own[i].state;
   const double near = 2.0 * info_.robot.circumradius();
+  if (distance(robot.pose.position, now.ball.position) < kPressing) return std::nullopt;
   const auto yieldsTo = [&](std::size_t mate) -> std::optional<RobotCommand> {
     if (mate == i || !now.own[mate].present) return std::nullopt;
     const Vec2 from = robot.pose.position - now.own[mate].state.pose.position;
@@ -253,8 +266,10 @@ TeamCommand School::decide(const Observation& seen) {
     own = play(now, i, rank);
     if (const auto away = yielding(now, i, rank)) own = *away;
     if (const auto out = legal(now, i, rank == 1)) own = *out;
-    const bool meant = own.kind != RobotCommand::Kind::kGoTo ||
-                       distance(own.go_to.position, now.own[i].state.pose.position) > 0.1;
+    // Who presses the ball stands still in a jam and stays there.
+    const bool meant = own.kind == RobotCommand::Kind::kGoTo
+                           ? distance(own.go_to.position, now.own[i].state.pose.position) > 0.1
+                           : distance(now.ball.position, now.own[i].state.pose.position) > kPressing;
     if (const auto free = memory_[i].unsticking.update(now.own[i].state, now.playing && meant, now.dt)) {
       own = twist(now, i, *free);
     }
@@ -263,4 +278,4 @@ TeamCommand School::decide(const Observation& seen) {
   return command;
 }
 
-}  // namespace fulbito
+}  // namespace fulbito::sparring

@@ -13,7 +13,7 @@
 #include "strategies/skills/unsticking.hpp"
 #include "strategies/skills/wall_play.hpp"
 
-namespace fulbito {
+namespace fulbito::sparring {
 
 /// What all sparring teams share: robot 0 keeps the goal line, the field players have an order from the one
 /// that is first at the ball, and all stay legal and yield to each other. A school says only what its field
@@ -43,15 +43,25 @@ class School : public Strategy {
   /// @{ What field players are made of.
   /// Where robot `i` meets the ball.
   Vec2 meeting(const Observation& now, std::size_t i, Vec2 aim) const;
-  /// Drives through the ball: at the goal, up a side from the own third, or along a wall.
-  RobotCommand attack(const Observation& now, std::size_t i);
+  /// How a robot attacks the ball.
+  struct Style {
+    std::optional<Vec2> toward;  ///< [m] target of the ball; empty: `wanted`
+    double bend = 1.5;           ///< as in `DriveGoal`
+    double room = 0.03;          ///< [m] as in `DriveGoal`
+    bool straight = true;     ///< a ball that an opponent reaches first is hit straight, if that is upfield
+    SpinSettings spins = {};  ///< when it spins
+  };
+  /// Drives through the ball. A ball in the own area is left to the keeper.
+  RobotCommand attack(const Observation& now, std::size_t i, const Style& style);
+  RobotCommand attack(const Observation& now, std::size_t i) { return attack(now, i, Style()); }
   /// Drives through the ball along `direction`.
   RobotCommand drive(const Observation& now, std::size_t i, DriveGoal goal);
   /// Drives with all that the motors have.
   RobotCommand twist(const Observation& now, std::size_t i, Twist wanted) const;
   /// Stands at a place, turned toward `heading` if given, outside both areas.
   RobotCommand stand(Vec2 place, std::optional<double> heading = {}) const;
-  /// Where the ball should go from `ball`, a unit vector.
+  /// Where the ball should go from `ball`, a unit vector: at the goal, up a side from the own third, along a
+  /// wall at which it lies.
   Vec2 wanted(const Observation& now, Vec2 ball) const;
   /// Spins if the ball is stuck at robot `i` at a wall or between two robots.
   std::optional<RobotCommand> spin(const Observation& now, std::size_t i, Vec2 direction,
@@ -89,4 +99,4 @@ class School : public Strategy {
   std::size_t players_ = 0;
 };
 
-}  // namespace fulbito
+}  // namespace fulbito::sparring

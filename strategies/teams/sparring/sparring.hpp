@@ -1,13 +1,16 @@
 #pragma once
 
-#include <vector>
-
 #include "fulbito/strategy.hpp"
 
-namespace fulbito {
+namespace fulbito::sparring {
 
-/// The sparring teams, each a school of play, in the order of docs/strategies.md: those to tune against, then
-/// those that only validate.
-std::vector<TeamInfo> sparringTeams();
+/// @{ The sparring teams, each a school of play (docs/strategies.md). Teams are tuned against the first six.
+TeamInfo univectorInfo();
+TeamInfo twinsInfo();
+TeamInfo markerInfo();
+TeamInfo blockInfo();
+TeamInfo counterInfo();
+TeamInfo presserInfo();
+/// @}
 
-}  // namespace fulbito
+}  // namespace fulbito::sparring
