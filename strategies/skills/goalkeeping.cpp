@@ -65,10 +65,13 @@ RobotCommand LineKeeper::update(const MatchInfo& info, const Foresight& foresigh
   constexpr double kYawRate = 30.0;  // [rad/s] the limiter reduces it to what the robot can
   if (sense) return quickTwist(info.robot, robot, {0.0, *sense * kYawRate}, now.dt);
   out_ = mayLeave(info, foresight, now, i, settings);
-  if (out_) {
+  // A penalty is met far out: on the line, ball and taker push the keeper into the goal.
+  const bool penalty =
+      now.restart == RestartKind::kPenalty && !now.restart_is_ours && now.since_restart < 1.0;
+  if (out_ || penalty) {
     DriveGoal clear;
     clear.ball = ball;
-    clear.direction = unitOr(ball - ownGoal(info.field), {1.0, 0.0});
+    clear.direction = unitOr(ball - (penalty ? robot.pose.position : ownGoal(info.field)), {1.0, 0.0});
     return quickTwist(info.robot, robot, drive_.update(info, robot, clear), now.dt);
   }
   // A ball carried along the end wall is pushed back the way it came: beside the post nothing is lost.

@@ -132,22 +132,38 @@ Vec2 School::pastOpponent(const Observation& now, Vec2 ball, Vec2 straight) cons
   return outOfFrame(straight, math::unit(aside > 0.0 ? -kOff : kOff));
 }
 
-/// The taker of a kick-off or penalty stands at an angle, so that the ball passes opponents on the straight
-/// line.
+/// The taker of a kick-off or penalty stands close behind the ball at an angle, so that the ball passes
+/// opponents on the straight line. Against a kick-off, a robot meets the ball from the side: head-on, the
+/// heavier train wins.
 std::optional<TeamProposal> School::place(const PlacementRequest& request) {
-  constexpr double kKickOff = 0.6, kPenalty = 0.36;  // [rad]
+  constexpr double kKickOff = 0.6, kPenalty = 0.36, kAgainst = 1.0;  // [rad]
+  constexpr double kRoom = 0.025;                                    // [m] between ball and taker
   const bool penalty = request.kind == RestartKind::kPenalty;
   if (request.kind != RestartKind::kKickOff && !(penalty && request.ours)) return std::nullopt;
   TeamPlacement placement = request.defaults;
-  Pose2* taker = nullptr;
+  std::array<Pose2*, 2> near{};  // the nearest to the ball and the next
   for (std::optional<Pose2>& pose : placement) {
     if (!pose) continue;
     const double gap = distance(pose->position, request.ball);
-    if (taker == nullptr || gap < distance(taker->position, request.ball)) taker = &*pose;
+    if (near[0] == nullptr || gap < distance(near[0]->position, request.ball)) {
+      near = {&*pose, near[0]};
+    } else if (near[1] == nullptr || gap < distance(near[1]->position, request.ball)) {
+      near[1] = &*pose;
+    }
   }
-  if (taker == nullptr) return std::nullopt;
-  taker->heading = penalty ? kPenalty : kKickOff;
-  taker->position = request.ball - math::unit(taker->heading) * distance(taker->position, request.ball);
+  if (near[0] == nullptr) return std::nullopt;
+  const double hand = (request.now.own_score + request.now.opponent_score) % 2 == 0 ? 1.0 : -1.0;
+  const double behind = info_.robot.length / 2 + info_.ball.radius + kRoom;
+  const double far = field().centre_circle_radius + info_.robot.circumradius() + 0.005;
+  const double run_up = distance(near[0]->position, request.ball);
+  const double angle = hand * (penalty ? kPenalty : request.ours ? kKickOff : kAgainst);
+  near[0]->position = request.ball - math::unit(angle) * (penalty ? run_up : request.ours ? behind : far);
+  near[0]->heading = angle;
+  if (!penalty && near[1] != nullptr && near[1]->position.x > -0.7 * field().length / 2) {
+    // The second waits where the ball goes.
+    near[1]->position = {-far, hand * (request.ours ? 0.3 : 0.2)};
+    near[1]->heading = request.ours ? 0.0 : math::angleOf(request.ball - near[1]->position);
+  }
   return placement;
 }
 
