@@ -5,6 +5,7 @@
 
 #include "engine/core/math/braking.hpp"
 #include "fulbito/detail/math.hpp"
+#include "strategies/skills/area_projection.hpp"
 
 namespace fulbito::libero {
 
@@ -21,6 +22,30 @@ std::optional<double> crossing(const Picture& picture, double line) {
     before = after;
   }
   return std::nullopt;
+}
+
+bool shotComes(const Picture& picture) {
+  constexpr double kSlowest = 0.3;  // [m/s]
+  constexpr double kPast = 0.03;    // [m] past a post
+  if (squaredNorm(picture.ball.now().velocity) <= kSlowest * kSlowest) return false;
+  const auto shot = crossing(picture, -picture.pitch.half_length);
+  return shot && std::abs(*shot) < picture.pitch.goal_half + kPast;
+}
+
+bool mustSave(const Picture& picture, int robot) {
+  const Pitch& pitch = picture.pitch;
+  const auto shot = crossing(picture, -pitch.half_length);
+  if (!shot || std::abs(*shot) > pitch.goal_half + 0.02) return false;
+  return picture.own(robot).pose.position.x < -pitch.half_length + 0.3 &&
+         picture.ball.now().position.x > picture.own(robot).pose.position.x;
+}
+
+bool ballIsKeepers(const Picture& picture) {
+  constexpr double kAhead = 0.3;    // [s]
+  constexpr double kMargin = 0.06;  // [m]
+  const Vec2 ball = picture.ball.at(kAhead);
+  return picture.keeper >= 0 && isInArea(picture.pitch.field, ball, true, kMargin) &&
+         std::abs(ball.y) < picture.pitch.area_half;
 }
 
 Twist alongLine(const RobotState& self, double line, double speed) {

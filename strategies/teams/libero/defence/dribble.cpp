@@ -1,4 +1,4 @@
-#include "strategies/teams/libero/attack/meet.hpp"
+#include "strategies/teams/libero/defence/dribble.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +67,10 @@ Move blockDribble(const Picture& picture, const RobotState& robot) {
   const double lead = std::min(0.3, 0.4 * distance(robot.pose.position, ball.position));
   const double inner = pushed ? std::copysign(kInner, goal.y) : 0.0;
   const Vec2 to = ball.position + outOfFrame(way, {lead, inner});
-  return {passThrough(robot, to, picture.pitch.speed), "block", to, {}, {}};
+  return {
+      .twist = passThrough(robot, to, picture.pitch.speed),
+      .reason = pushed ? "an opponent dribbles at our goal" : "an opponent is about to dribble at our goal",
+      .place = to};
 }
 
 }  // namespace fulbito::libero
