@@ -1,7 +1,6 @@
-#include "strategies/teams/libero/attack/support.hpp"
-
 #include "engine/core/math/random.hpp"
 #include "strategies/skills/area_projection.hpp"
+#include "strategies/teams/libero/playbook/playbook.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
@@ -13,16 +12,21 @@ TEST_CASE("libero's robots without the ball have places on the field, off the ba
     const MatchInfo info = test::infoOf(size);
     const libero::Pitch pitch(info);
     const libero::Settings settings;
+    const auto play_book = libero::PlayBook::without("block+wait");
+    REQUIRE(play_book);
     Rng rng(7, test::kTestStream, static_cast<std::uint64_t>(size));
     for (int run = 0; run < 2000; ++run) {
       Observation seen = test::anything(rng, info);
       seen.ball.velocity = {};
       libero::BallForecast ball;
       ball.take(seen.ball, {});
-      const libero::Picture picture{seen, pitch, settings, ball};
-      for (int rank = 0; rank < size - 1; ++rank) {
-        CAPTURE(size, run, rank, seen.ball.position.x, seen.ball.position.y);
-        const Vec2 place = libero::supportPlace(picture, 1, rank);
+      libero::Picture picture{seen, pitch, settings, ball};
+      picture.keeper = 0;
+      for (int robot = 1; robot < size; ++robot) {
+        CAPTURE(size, run, robot, seen.ball.position.x, seen.ball.position.y);
+        libero::Memory memory;
+        const Vec2 place =
+            play_book->decide(libero::Role::kSupport, picture, robot, memory).place.value_or(Vec2{});
         CHECK(wallClearance(info.field, place) > pitch.robot_half);
         CHECK_FALSE(isInArea(info.field, place, true, 0.07 - 1e-9));
         const bool in_theirs = isInArea(info.field, seen.ball.position, false);
@@ -31,9 +35,10 @@ TEST_CASE("libero's robots without the ball have places on the field, off the ba
         const bool room = distanceToArea(info.field, seen.ball.position, true) > 0.35 &&
                           distanceToArea(info.field, seen.ball.position, false) > 0.35;
         if (room) CHECK(distance(place, seen.ball.position) > 0.15);
-        const Vec2 waiting = libero::waitingPlace(picture, rank);
-        CHECK(wallClearance(info.field, waiting) > pitch.robot_corner);
-        CHECK_FALSE(isInArea(info.field, waiting, true, pitch.robot_corner));
+        const auto waiting = libero::field::wait(picture, robot, memory);
+        if (!waiting) continue;
+        CHECK(wallClearance(info.field, *waiting->place) > pitch.robot_corner);
+        CHECK_FALSE(isInArea(info.field, *waiting->place, true, pitch.robot_corner));
       }
     }
   }
