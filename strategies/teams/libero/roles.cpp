@@ -1,16 +1,42 @@
 #include "strategies/teams/libero/roles.hpp"
 
+#include <cmath>
+
 #include "strategies/skills/area_projection.hpp"
-#include "strategies/teams/libero/attack/interception.hpp"
 #include "strategies/teams/libero/defence/goal_line.hpp"
+#include "strategies/teams/libero/situation/interception.hpp"
 
 namespace fulbito::libero {
+namespace {
+
+/// Whether the ball will be in or near the own area in 0.3 s, with a keeper there. Opponents would push a
+/// field player that follows it into the area.
+bool ballIsKeepers(const Picture& picture) {
+  constexpr double kAhead = 0.3;    // [s]
+  constexpr double kMargin = 0.06;  // [m]
+  const Vec2 ball = picture.ball.at(kAhead);
+  return picture.keeper >= 0 && isInArea(picture.pitch.field, ball, true, kMargin) &&
+         std::abs(ball.y) < picture.pitch.area_half;
+}
+
+void rankOthers(Picture& picture) {
+  const int at_ball = picture.keepers_ball ? -1 : picture.striker;
+  int rank = 0;
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (picture.ownPresent(i) && i != picture.keeper && i != at_ball)
+      picture.rank[static_cast<std::size_t>(i)] = rank++;
+  }
+}
+
+}  // namespace
 
 bool Roles::choose(Picture& picture) {
   chooseKeeper(picture);
   const bool changed = chooseStriker(picture);
   picture.keeper = keeper_;
   picture.striker = striker_;
+  picture.keepers_ball = ballIsKeepers(picture);
+  rankOthers(picture);
   return changed;
 }
 
@@ -31,7 +57,7 @@ void Roles::chooseKeeper(const Picture& picture) {
 
 // The striker is the robot that reaches the ball first. The present one stays unless another is clearly
 // better.
-bool Roles::chooseStriker(const Picture& picture) {
+bool Roles::chooseStriker(Picture& picture) {
   if (picture.seen.playing) held_ += picture.seen.dt;
   // [s] advantage of a striker in their area, which the next one may enter only after it has left
   constexpr double kStays = 0.5;
@@ -42,6 +68,7 @@ bool Roles::chooseStriker(const Picture& picture) {
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (i == keeper_ || !picture.ownPresent(i)) continue;
     const Interception meet = interception(picture, picture.own(i));
+    picture.interceptions[static_cast<std::size_t>(i)] = meet;
     double cost = meet.time;
     if (picture.own(i).pose.position.x > meet.ball.x) cost += 0.3;
     if (i == striker_)

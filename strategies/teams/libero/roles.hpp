@@ -8,8 +8,7 @@ namespace fulbito::libero {
 /// Who keeps goal and who goes for the ball; all others support.
 class Roles {
  public:
-  /// Chooses the roles of this tick, and writes keeper and striker into `picture`. Returns whether another
-  /// robot is striker now.
+  /// Chooses the roles of this tick and adds them to `picture`. Returns whether another robot is striker now.
   bool choose(Picture& picture);
   /// The next choice is free: no robot has been striker.
   void forgetStriker();
@@ -21,7 +20,7 @@ class Roles {
 
  private:
   void chooseKeeper(const Picture& picture);
-  bool chooseStriker(const Picture& picture);
+  bool chooseStriker(Picture& picture);
 
   int keeper_ = -1;
   int striker_ = -1;

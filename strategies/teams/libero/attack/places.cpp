@@ -7,7 +7,6 @@
 #include "engine/core/models/field_places.hpp"
 #include "fulbito/detail/math.hpp"
 #include "strategies/skills/area_projection.hpp"
-#include "strategies/teams/libero/defence/goal_line.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -59,15 +58,6 @@ Twist twistTo(const Picture& picture, int robot, Vec2 place) {
 }  // namespace
 
 Vec2 ballAhead(const Picture& picture) { return picture.ball.at(0.15); }
-
-int rankOf(const Picture& picture, int robot) {
-  const int at_ball = ballIsKeepers(picture) ? -1 : picture.striker;
-  int rank = 0;
-  for (int i = 0; i < robot; ++i) {
-    if (picture.ownPresent(i) && i != picture.keeper && i != at_ball) ++rank;
-  }
-  return rank;
-}
 
 double farSide(Vec2 ball, Vec2 robot) {
   constexpr double kMiddle = 0.001;  // [m]

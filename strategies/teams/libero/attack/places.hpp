@@ -9,10 +9,6 @@ namespace fulbito::libero {
 /// The ball [m] that robots without the ball look at: 0.15 s ahead.
 Vec2 ballAhead(const Picture& picture);
 
-/// How many field players without the ball come before `robot`, by their numbers. While only the keeper may
-/// play the ball, the striker counts as one of them.
-int rankOf(const Picture& picture, int robot);
-
 /// The side of the field without the ball: +1 or -1. For a ball in the middle, as at a penalty, it is the
 /// robot's own side. A fixed side would send some robots across the field.
 double farSide(Vec2 ball, Vec2 robot);

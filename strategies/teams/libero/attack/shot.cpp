@@ -1,6 +1,6 @@
 #include "strategies/teams/libero/attack/shot.hpp"
 
-#include "strategies/teams/libero/attack/interception.hpp"
+#include "strategies/teams/libero/situation/interception.hpp"
 
 namespace fulbito::libero {
 
@@ -12,7 +12,10 @@ const Shot& shotOf(const Picture& picture, int robot, ShotMemory& memory) {
   const RobotState& self = picture.own(robot);
   const BallState& now = picture.ball.now();
   const bool close = squaredNorm(picture.ballFrom(robot)) < kClose * kClose;
-  const Vec2 ball = close ? now.position + now.velocity * kAhead : interception(picture, self).ball;
+  const auto& known = picture.interceptions[static_cast<std::size_t>(robot)];
+  const Vec2 ball = close   ? now.position + now.velocity * kAhead
+                    : known ? known->ball
+                            : interception(picture, self).ball;
   memory.target_y = openMouth(picture, ball, self.pose.position.y, memory.target_y);
   const Vec2 target{picture.pitch.half_length + kBehindLine, memory.target_y};
   return memory.now.emplace(Shot{ball, target, aimAt(picture.pitch, ball, target)});

@@ -5,7 +5,6 @@
 
 #include "engine/core/math/braking.hpp"
 #include "fulbito/detail/math.hpp"
-#include "strategies/skills/area_projection.hpp"
 
 namespace fulbito::libero {
 
@@ -38,14 +37,6 @@ bool mustSave(const Picture& picture, int robot) {
   if (!shot || std::abs(*shot) > pitch.goal_half + 0.02) return false;
   return picture.own(robot).pose.position.x < -pitch.half_length + 0.3 &&
          picture.ball.now().position.x > picture.own(robot).pose.position.x;
-}
-
-bool ballIsKeepers(const Picture& picture) {
-  constexpr double kAhead = 0.3;    // [s]
-  constexpr double kMargin = 0.06;  // [m]
-  const Vec2 ball = picture.ball.at(kAhead);
-  return picture.keeper >= 0 && isInArea(picture.pitch.field, ball, true, kMargin) &&
-         std::abs(ball.y) < picture.pitch.area_half;
 }
 
 Twist alongLine(const RobotState& self, double line, double speed) {

@@ -23,10 +23,6 @@ bool shotComes(const Picture& picture);
 /// Whether the ball rolls into the own goal and `robot`, which is near the goal, must save it.
 bool mustSave(const Picture& picture, int robot);
 
-/// Whether only the keeper may play the ball: it will be in or near the own area in 0.3 s. Opponents would
-/// push a field player that follows it into the area.
-bool ballIsKeepers(const Picture& picture);
-
 /// Drives along the line at `speed` [m/s]. A small turn toward the line corrects the distance from it.
 Twist alongLine(const RobotState& self, double line, double speed);
 

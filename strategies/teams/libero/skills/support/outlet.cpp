@@ -7,7 +7,7 @@ namespace fulbito::libero::support {
 
 /// The places are on the side away from the ball, and never in the big area.
 std::optional<Move> outlet(const Picture& picture, int robot, Memory& /*memory*/) {
-  const int rank = rankOf(picture, robot);
+  const int rank = picture.rank[static_cast<std::size_t>(robot)];
   if (rank < 2) return std::nullopt;
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = ballAhead(picture);

@@ -9,7 +9,8 @@ namespace fulbito::libero::support {
 std::optional<Move> secondBall(const Picture& picture, int robot, Memory& /*memory*/) {
   constexpr double kCrowd = 0.25;  // [m]
   const Vec2 ball = ballAhead(picture);
-  if (rankOf(picture, robot) > 0 || picture.pitch.isLarge() || picture.opponentsNear(ball, kCrowd) < 2)
+  if (picture.rank[static_cast<std::size_t>(robot)] > 0 || picture.pitch.isLarge() ||
+      picture.opponentsNear(ball, kCrowd) < 2)
     return std::nullopt;
   const Vec2 place{std::min(ball.x + 0.3, picture.pitch.half_length - 0.35),
                    std::clamp(ball.y * 0.4, -0.3, 0.3)};

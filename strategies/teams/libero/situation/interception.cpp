@@ -1,4 +1,4 @@
-#include "strategies/teams/libero/attack/interception.hpp"
+#include "strategies/teams/libero/situation/interception.hpp"
 
 #include <algorithm>
 
