@@ -53,8 +53,8 @@ bool opponentDribblesAtGoal(const Picture& picture) {
 
 bool canBlockDribble(const Picture& picture, const RobotState& robot) {
   const bool pushed = opponentDribblesAtGoal(picture);
-  if (!picture.pitch.isLarge() && crowded(picture)) return false;
   if (!pushed && (picture.pitch.isLarge() || !threatened(picture))) return false;
+  if (!picture.pitch.isLarge() && crowded(picture)) return false;
   const Vec2 rel = intoFrame(wayOf(picture, pushed), robot.pose.position - picture.ball.now().position);
   return rel.x > 0.02 && std::abs(rel.y) < 0.5 * rel.x + 0.05;
 }

@@ -15,10 +15,10 @@ std::optional<Move> leaveBall(const Picture& picture, int robot, Memory& /*memor
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.now().position;
   const Vec2 rel = picture.ballFrom(robot);
-  // A keeper that stays holds out a ball beside it that an opponent pushes from the other side.
-  if (std::abs(rel.y) > kBeside && picture.opponentsNear(ball, kPushed) > 0) return std::nullopt;
   if (rel.x > -kBehind || ball.x > -pitch.half_length + kDeep || std::abs(ball.y) > pitch.goal_half)
     return std::nullopt;
+  // A keeper that stays holds out a ball beside it that an opponent pushes from the other side.
+  if (std::abs(rel.y) > kBeside && picture.opponentsNear(ball, kPushed) > 0) return std::nullopt;
   Move move{.reason = "the ball lies behind the keeper"};
   const double away = rel.y > 0.0 ? -1.0 : 1.0;
   if (std::abs(rel.y) < kApart)
