@@ -5,6 +5,7 @@
 #include "engine/core/config/suggest.hpp"
 #include "fulbito/strategy.hpp"
 #include "navigation/interface/parameters.hpp"
+#include "strategies/teams/sparring/sparring.hpp"
 
 namespace fulbito {
 
@@ -33,7 +34,9 @@ TeamChoice TeamChoice::own(std::string name, std::function<std::unique_ptr<Strat
 
 TeamCatalogue TeamCatalogue::builtIn() {
   TeamCatalogue catalogue;
-  for (auto& info : {idleInfo(), randomTeamInfo(), chaserInfo(), classicInfo(), liberoInfo()}) {
+  for (auto& info : {idleInfo(), randomTeamInfo(), chaserInfo(), classicInfo(), liberoInfo(),
+                     sparring::univectorInfo(), sparring::twinsInfo(), sparring::markerInfo(),
+                     sparring::blockInfo(), sparring::counterInfo(), sparring::presserInfo()}) {
     catalogue.teams_.push_back(std::make_shared<const TeamInfo>(info));
   }
   return catalogue;

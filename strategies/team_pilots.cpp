@@ -101,7 +101,7 @@ void TeamPilots::reset() {
 
 std::array<WheelSpeeds, kMaxTeamSize> TeamPilots::drive(const Observation& observation,
                                                         const TeamCommand& command) {
-  const Observation& now = info_.observation_age > 0.0 ? foresight_.update(observation) : observation;
+  const Observation& now = foresight_.isNeeded() ? foresight_.update(observation) : observation;
   std::array<WheelSpeeds, kMaxTeamSize> wheels{};
   for (std::size_t i = 0; i < drivers_.size(); ++i) {
     if (now.own[i].present) wheels[i] = driveRobot(now, static_cast<int>(i), command.robots[i]);
@@ -130,7 +130,8 @@ WheelSpeeds TeamPilots::driveRobot(const Observation& observation, int robot, co
   const auto i = static_cast<std::size_t>(robot);
   drivers_[i].last = -1;
   if (wanted.kind == RobotCommand::Kind::kWheels) return wanted.wheels;
-  const Twist now = bodyTwist(observation.own[i].state);
+  // The wheels' own sensors: velocities that a camera gives would make the wheels follow its noise.
+  const Twist now = forwardKinematics(info_.robot, observation.own[i].state.wheels);
   const Twist limited = limitTwist(steady_, now, wanted.twist, observation.dt);
   return inSteps(inverseKinematics(info_.robot, limited));
 }

@@ -12,7 +12,7 @@ Twist bodyTwist(const RobotState& state) {
 }
 
 RobotModel steady(RobotModel robot) {
-  robot.yaw_acceleration = robot.wheel_acceleration / (robot.axle_track / 2);
+  robot.yaw_acceleration = robot.motorPull() / (robot.axle_track / 2);
   return robot;
 }
 
@@ -20,12 +20,14 @@ Twist limitTwist(const RobotModel& robot, Twist current, Twist wanted, double dt
   const double half_track = robot.axle_track / 2;
   const double most_turn = robot.turnAcceleration() * dt;
   const double turn = std::clamp(wanted.angular - current.angular, -most_turn, most_turn);
-  // The share of the acceleration that turning leaves to the speed.
-  const double rest =
-      most_turn > 0.0 ? robot.wheel_acceleration * dt * (1.0 - std::abs(turn) / most_turn) : 0.0;
+  // The share of the motors' pull that turning leaves to the speed.
+  const double rest = most_turn > 0.0 ? 1.0 - std::abs(turn) / most_turn : 0.0;
+  const double change = wanted.linear - current.linear;
+  const bool slows = change * current.linear < 0.0;
+  const double most = rest * dt * (slows ? robot.wheel_braking : robot.wheel_acceleration);
   Twist limited;
   limited.angular = current.angular + turn;
-  limited.linear = current.linear + std::clamp(wanted.linear - current.linear, -rest, rest);
+  limited.linear = current.linear + std::clamp(change, -most, most);
   const double max_speed = robot.maxSpeed();
   limited.angular = std::clamp(limited.angular, -max_speed / half_track, max_speed / half_track);
   const double room = std::max(0.0, max_speed - std::abs(limited.angular) * half_track);

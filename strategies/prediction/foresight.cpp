@@ -7,6 +7,37 @@
 
 namespace fulbito {
 
+Tracks::Tracks(const MatchInfo& info) : needed_(info.position_noise > 0.0) {
+  own_.fill(WheelTrack(info.robot, info.position_noise, info.heading_noise));
+  opponents_.fill(PointTrack(info.position_noise));
+  ball_ = PointTrack(info.position_noise);
+}
+
+void Tracks::reset() {
+  for (WheelTrack& robot : own_) robot.reset();
+  for (PointTrack& robot : opponents_) robot.reset();
+  ball_.reset();
+}
+
+void Tracks::follow(Observation& seen) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(seen.team_size); ++i) {
+    if (seen.own[i].present) seen.own[i].state = own_[i].update(seen.own[i].state, seen.dt);
+    if (!seen.opponents[i].present) continue;
+    RobotState& opponent = seen.opponents[i].state;
+    opponents_[i].update(opponent.pose.position, opponent.velocity, {}, seen.dt);
+    opponent.pose.position = opponents_[i].position();
+    opponent.velocity = opponents_[i].velocity();
+  }
+}
+
+BallState Tracks::follow(BallState ball, double drag, double dt) {
+  const Vec2 change = unitOr(ball_.velocity(), {}) * -std::min(drag, norm(ball_.velocity()) / dt);
+  ball_.update(ball.position, ball.velocity, change, dt);
+  ball.position = ball_.position();
+  ball.velocity = ball_.velocity();
+  return ball;
+}
+
 Estimator::Estimator(const MatchInfo& info) : robot_(info.robot) {
   constexpr double kFading = 0.3;  // [s] time constant with which opponents' motion fades
   const double dt = info.physics.controlPeriod();
@@ -44,15 +75,22 @@ const Observation& Estimator::update(const Observation& seen, const BallPredicti
 }
 
 Foresight::Foresight(const MatchInfo& info)
-    : course_(info.field, info.ball, info.physics), pace_(info.robot), estimator_(info) {}
+    : course_(info.field, info.ball, info.physics), pace_(info.robot), tracks_(info), estimator_(info) {}
 
-const Observation& Foresight::update(const Observation& seen) {
-  play_began_ = seen.since_restart < last_since_restart_;
-  last_since_restart_ = seen.since_restart;
+const Observation& Foresight::update(const Observation& observed) {
+  play_began_ = observed.since_restart < last_since_restart_;
+  last_since_restart_ = observed.since_restart;
   if (play_began_) {
     tracker_.reset();
+    tracks_.reset();
     estimator_.reset();
   }
+  if (tracks_.isNeeded()) {
+    tracked_ = observed;
+    tracks_.follow(tracked_);
+    tracked_.ball = tracks_.follow(observed.ball, course_.ball.roll_deceleration, observed.dt);
+  }
+  const Observation& seen = tracks_.isNeeded() ? tracked_ : observed;
   ball_ = tracker_.update(course_, seen.ball, seen.dt);
   prediction_.predict(course_, ball_);
   const Observation& now = estimator_.update(seen, prediction_);

@@ -5,9 +5,33 @@
 #include "fulbito/strategy.hpp"
 #include "strategies/prediction/ball_prediction.hpp"
 #include "strategies/prediction/ball_tracker.hpp"
+#include "strategies/prediction/point_track.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
+#include "strategies/prediction/wheel_track.hpp"
 
 namespace fulbito {
+
+/// The bodies from noisy observations (`MatchInfo::position_noise`): own robots by their wheels, opponents and
+/// ball by fitted lines. Exact observations need no work.
+class Tracks {
+ public:
+  Tracks() = default;
+  explicit Tracks(const MatchInfo& info);
+  /// Forgets the past, for the start of a new play.
+  void reset();
+  /// Whether observations are noisy.
+  bool isNeeded() const { return needed_; }
+  /// Replaces the robots of `seen` by their estimates.
+  void follow(Observation& seen);
+  /// Returns the ball's estimate. `drag` [m/s^2] is its deceleration.
+  BallState follow(BallState ball, double drag, double dt);
+
+ private:
+  bool needed_ = false;
+  std::array<WheelTrack, kMaxTeamSize> own_;
+  std::array<PointTrack, kMaxTeamSize> opponents_;
+  PointTrack ball_;
+};
 
 /// Predicts the present from an observation that is `MatchInfo::observation_age` old (docs/skills.md). Own
 /// robots follow the commands since then, opponents continue with a motion that fades over 0.3 s, and the
@@ -39,13 +63,15 @@ class Estimator {
 };
 
 /// The predictions that each team needs per tick: the present observation, the ball's spin and its path. A
-/// strategy has one as a member.
+/// strategy has one as a member. Noise and age of observations are taken out as far as the models allow.
 class Foresight {
  public:
   Foresight() = default;
   explicit Foresight(const MatchInfo& info);
   /// Takes a tick's observation and returns it as of now. Valid until the next call, or as long as `seen`.
   const Observation& update(const Observation& seen);
+  /// Whether observations are noisy or old; otherwise `update` returns them as they are.
+  bool isNeeded() const { return tracks_.isNeeded() || estimator_.isNeeded(); }
   /// The ball's path from now on.
   const BallPrediction& ball() const { return prediction_; }
   /// The ball now, with its estimated spin.
@@ -60,6 +86,8 @@ class Foresight {
  private:
   BallCourse course_;
   RobotPace pace_;
+  Tracks tracks_;
+  Observation tracked_;
   Estimator estimator_;
   BallTracker tracker_;
   BallPrediction prediction_;

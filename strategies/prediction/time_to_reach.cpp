@@ -15,13 +15,15 @@ constexpr double kShareOfTurn = 0.7;  // share of a turn made in place; the rest
 RobotPace::RobotPace(const RobotModel& robot)
     : speed(robot.maxSpeed()),
       acceleration(std::min(robot.wheel_acceleration, robot.longitudinal_grip)),
+      braking(robot.braking()),
       turning(robot.turnAcceleration()) {}
 
 double timeAlong(const RobotPace& pace, double distance, double speed) {
   const double v = pace.speed, a = pace.acceleration;
   if (speed < 0.0) {
     // The robot brakes first, then drives the braking distance again in the other direction.
-    return -speed / a + timeAlong(pace, distance + speed * speed / (2.0 * a), 0.0);
+    const double b = pace.braking;
+    return -speed / b + timeAlong(pace, distance + speed * speed / (2.0 * b), 0.0);
   }
   const double start = std::min(speed, v);
   const double ramp = (v * v - start * start) / (2.0 * a);

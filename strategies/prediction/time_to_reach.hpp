@@ -8,6 +8,7 @@ namespace fulbito {
 struct RobotPace {
   double speed = 1.2;         ///< [m/s] top speed
   double acceleration = 6.0;  ///< [m/s^2] of the body: the smaller limit of motors and grip
+  double braking = 7.0;       ///< [m/s^2] deceleration of the body: the smaller limit of motors and grip
   double turning = 289.0;     ///< [rad/s^2] in place
 
   RobotPace() = default;

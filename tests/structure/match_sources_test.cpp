@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kRoot = FULBITO_SOURCE_DIR;
-const std::set<std::string> kTeamGroups{"simple", "classic", "libero"};
+const std::set<std::string> kTeamGroups{"simple", "classic", "libero", "sparring"};
 constexpr std::string_view kTeamFolder = "strategies/teams/";
 
 /// Groups by path, as the list has them.

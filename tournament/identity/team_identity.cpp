@@ -27,9 +27,12 @@ constexpr std::size_t kNamesShown = 5;
 struct BuiltTeam {
   std::string_view team, group;
 };
-constexpr std::array kBuiltTeams{BuiltTeam{"idle", "simple"}, BuiltTeam{"random", "simple"},
-                                 BuiltTeam{"chaser", "simple"}, BuiltTeam{"classic", "classic"},
-                                 BuiltTeam{"libero", "libero"}};
+constexpr std::array kBuiltTeams{
+    BuiltTeam{"idle", "simple"},      BuiltTeam{"random", "simple"},    BuiltTeam{"chaser", "simple"},
+    BuiltTeam{"classic", "classic"},  BuiltTeam{"libero", "libero"},    BuiltTeam{"univector", "sparring"},
+    BuiltTeam{"twins", "sparring"},   BuiltTeam{"marker", "sparring"},  BuiltTeam{"block", "sparring"},
+    BuiltTeam{"counter", "sparring"}, BuiltTeam{"presser", "sparring"}, BuiltTeam{"dribbler", "sparring"},
+    BuiltTeam{"kicker", "sparring"},  BuiltTeam{"spinner", "sparring"}, BuiltTeam{"sweeper", "sparring"}};
 
 std::string_view groupOf(std::string_view team) {
   const auto* at = std::find_if(kBuiltTeams.begin(), kBuiltTeams.end(),

@@ -11,6 +11,8 @@ double RobotModel::circumradius() const { return 0.5 * std::sqrt(length * length
 
 double RobotModel::inertia() const { return mass * (length * length + width * width) / 12; }
 
+double RobotModel::braking() const { return std::min(wheel_braking, longitudinal_grip + rolling_drag); }
+
 double RobotModel::motorPull() const {
   return std::max(wheel_acceleration + rolling_drag, wheel_braking - rolling_drag);
 }

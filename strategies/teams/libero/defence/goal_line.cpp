@@ -49,7 +49,7 @@ Twist alongLine(const RobotState& self, double line, double speed) {
 }
 
 double stoppableSpeed(const Pitch& pitch, double way, double gain) {
-  return std::min(stoppingSpeed(0.8 * pitch.acceleration, std::abs(way)), gain * std::abs(way));
+  return std::min(stoppingSpeed(0.8 * pitch.braking, std::abs(way)), gain * std::abs(way));
 }
 
 Twist slideTo(const Picture& picture, const RobotState& self, double line, double y) {

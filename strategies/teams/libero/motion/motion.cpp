@@ -38,7 +38,7 @@ Twist alongHeading(const RobotState& robot, double heading, double speed, double
 }
 
 double fastestTurn(const Pitch& pitch, double angle) {
-  return std::min(stoppingSpeed(0.6 * pitch.acceleration / pitch.half_track, angle), 25.0 * angle);
+  return std::min(stoppingSpeed(0.6 * pitch.turning, angle), 25.0 * angle);
 }
 
 Twist turnTo(const Pitch& pitch, const RobotState& robot, double heading) {
@@ -56,7 +56,7 @@ Twist restAt(const Pitch& pitch, const RobotState& robot, Vec2 place, double hea
     return twist;
   }
   return alongHeading(robot, math::angleOf(way),
-                      std::min(pitch.speed, stoppingSpeed(kBraking * pitch.acceleration, d)));
+                      std::min(pitch.speed, stoppingSpeed(kBraking * pitch.braking, d)));
 }
 
 Twist passThrough(const RobotState& robot, Vec2 place, double speed) {

@@ -8,18 +8,20 @@
 
 namespace fulbito::libero {
 
-inline constexpr double kToRest = 0.265;  ///< [s] in which a robot comes to rest from any speed
 inline constexpr double kStands = 1e-9;   ///< [m/s] below this speed braking wheels stand still
-inline constexpr double kGrip = 5.5;      ///< [m/s^2] deceleration of a robot's sideways slide
+inline constexpr double kReserve = 0.7;   ///< share of its braking that a robot plans with
 
-/// Ticks until a robot that brakes from any speed rests.
-inline int ticksToRest(const Pitch& pitch) { return static_cast<int>(std::ceil(kToRest / pitch.tick)); }
+/// Ticks until a robot that brakes from its top speed rests, after one tick of any command.
+inline int ticksToRest(const Pitch& pitch) {
+  return 1 + static_cast<int>(std::ceil(pitch.speed / (kReserve * pitch.braking * pitch.tick)));
+}
 
 /// Greatest distance [m] that a robot with `speed` [m/s] covers before it rests, after one tick of any
 /// command.
 inline double mostWay(const Pitch& pitch, double speed) {
   const double then = speed + pitch.acceleration * pitch.tick;
-  return then * (2 * pitch.tick + then / (2 * kGrip));
+  const double slows = kReserve * std::min(pitch.braking, pitch.sliding);
+  return then * (2 * pitch.tick + then / (2 * slows));
 }
 
 /// Unit vector at a small `angle` [rad], exact to 1e-7 up to 0.26, which is half of the greatest turn in a
@@ -53,12 +55,14 @@ struct Roll {
 
   /// One tick of a twist. As in the limiter, the acceleration of the wheels goes to turning first.
   void drive(Twist wanted) {
-    const double before = forward, yaw_before = yaw, most = pitch.acceleration * pitch.tick;
+    const double before = forward, yaw_before = yaw, most = pitch.turning * pitch.half_track * pitch.tick;
     const double turn = std::clamp(wanted.angular * pitch.half_track - yaw, -most, most);
-    const double rest = most - std::abs(turn);
+    const double change = wanted.linear - forward;
+    const double gain = change * forward < 0.0 ? pitch.braking : pitch.acceleration;
+    const double rest = (1.0 - std::abs(turn) / most) * gain * pitch.tick;
     yaw = std::clamp(yaw + turn, -pitch.speed, pitch.speed);
     const double room = pitch.speed - std::abs(yaw);
-    forward = std::clamp(forward + std::clamp(wanted.linear - forward, -rest, rest), -room, room);
+    forward = std::clamp(forward + std::clamp(change, -rest, rest), -room, room);
     move((before + forward) / 2, (yaw_before + yaw) / 2);
   }
 
@@ -75,7 +79,8 @@ struct Roll {
   }
 
   void move(double speed, double turning) {
-    across -= std::clamp(across, -kGrip * pitch.tick, kGrip * pitch.tick);
+    const double slows = kReserve * pitch.sliding * pitch.tick;
+    across -= std::clamp(across, -slows, slows);
     const Vec2 half = smallTurn(turning / pitch.half_track * (pitch.tick / 2));
     const Vec2 middle = outOfFrame(face, half);
     place += outOfFrame(middle, {speed, across}) * pitch.tick;

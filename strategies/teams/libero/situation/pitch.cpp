@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "navigation/followers/limiter.hpp"
+
 namespace fulbito::libero {
 
 Pitch::Pitch(const MatchInfo& info)
@@ -15,7 +17,10 @@ Pitch::Pitch(const MatchInfo& info)
       robot_half(std::max(info.robot.length, info.robot.width) / 2),
       robot_corner(info.robot.circumradius()),
       speed(info.robot.maxSpeed()),
-      acceleration(info.robot.wheel_acceleration),
+      acceleration(pace.acceleration),
+      braking(pace.braking),
+      turning(steady(info.robot).turnAcceleration()),
+      sliding(info.robot.lateral_grip),
       half_track(info.robot.axle_track / 2),
       wheel_radius(info.robot.wheel_radius),
       tick(info.physics.controlPeriod()),

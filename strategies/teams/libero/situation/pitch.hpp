@@ -28,6 +28,9 @@ struct Pitch {
   double robot_corner;  ///< [m] centre to corner
   double speed;         ///< [m/s] top speed of a robot
   double acceleration;  ///< [m/s^2] of a robot that drives straight
+  double braking;       ///< [m/s^2] of a robot that drives straight
+  double turning;       ///< [rad/s^2] of a robot's twists
+  double sliding;       ///< [m/s^2] deceleration of a robot that is pushed sideways
   double half_track;    ///< [m]
   double wheel_radius;  ///< [m]
   double tick;          ///< [s] control period

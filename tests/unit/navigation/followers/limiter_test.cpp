@@ -24,6 +24,23 @@ TEST_CASE("the limiter keeps the yaw rate at wheel saturation and lowers the spe
   CHECK(limited.linear == Approx(1.0 - 2.0 * 0.034));
 }
 
+TEST_CASE("the limiter slows down by the braking of the motors", "[unit]") {
+  RobotModel robot = test::paperRobot(2.6);
+  robot.wheel_acceleration = 1.0;
+  robot.wheel_braking = 6.0;
+  const double dt = 1.0 / 60.0;
+  CHECK(limitTwist(robot, {0.5, 0.0}, {2.0, 0.0}, dt).linear == Approx(0.5 + 1.0 * dt));
+  CHECK(limitTwist(robot, {0.5, 0.0}, {-2.0, 0.0}, dt).linear == Approx(0.5 - 6.0 * dt));
+  CHECK(limitTwist(robot, {-0.5, 0.0}, {2.0, 0.0}, dt).linear == Approx(-0.5 + 6.0 * dt));
+  CHECK(limitTwist(robot, {-0.5, 0.0}, {-2.0, 0.0}, dt).linear == Approx(-0.5 - 1.0 * dt));
+}
+
+TEST_CASE("twists of teams turn as hard as the motors pull straight ahead", "[unit]") {
+  const RobotModel robot = loadRobot("firasim")->robot;
+  CHECK(steady(robot).turnAcceleration() == Approx(robot.motorPull() / (robot.axle_track / 2)));
+  CHECK(steady(robot).turnAcceleration() < robot.turnAcceleration());
+}
+
 TEST_CASE("the straight reference reaches an empty field's goal in about the bound", "[unit]") {
   auto pilot = makePilot(*parseNavigator("straight"));
   REQUIRE(pilot);

@@ -82,7 +82,7 @@ TEST_CASE("every built-in team has the hash of its sources", "[unit]") {
     hashes.insert(identity->hash);
   }
   CHECK(hashes.size() == TeamCatalogue::builtIn().teams().size());
-  for (const char* group : {"engine", "outside", "simple", "classic", "libero"}) {
+  for (const char* group : {"engine", "outside", "simple", "classic", "libero", "sparring"}) {
     CHECK(sourcesOf(group).size() == 32);
   }
   CHECK(sourcesOf("none").empty());
