@@ -19,7 +19,7 @@ function(fulbito_source_hashes list output)
     if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/${path})
       file(GLOB_RECURSE files RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS
         ${PROJECT_SOURCE_DIR}/${path}/*.cpp ${PROJECT_SOURCE_DIR}/${path}/*.hpp
-        ${PROJECT_SOURCE_DIR}/${path}/*.h ${PROJECT_SOURCE_DIR}/${path}/*.py)
+        ${PROJECT_SOURCE_DIR}/${path}/*.h ${PROJECT_SOURCE_DIR}/${path}/*.def ${PROJECT_SOURCE_DIR}/${path}/*.py)
       foreach(other IN LISTS entries)
         string(REGEX REPLACE "^[^ ]+ " "" inner "${other}")
         if(inner MATCHES "^${path}/")

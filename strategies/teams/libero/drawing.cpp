@@ -2,7 +2,8 @@
 
 #include <cmath>
 #include <string>
-#include <string_view>
+
+#include <fmt/format.h>
 
 #include "strategies/interface/drawings.hpp"
 
@@ -57,19 +58,18 @@ void drawMove(Vec2 robot, Role role, const Move& move, std::vector<DebugDrawing>
     addLine(drawings, from, *move.target);
     addCircle(drawings, *move.target, kPlace);
   }
-  std::string name = nameOf(role);
-  if (!std::string_view(move.skill).empty()) name.append(": ").append(move.skill);
+  const std::string name = fmt::format("{}: {} ({})", nameOf(role), move.skill, move.reason);
   addName(drawings, robot, name.c_str());
 }
 
 }  // namespace
 
-void draw(const Picture& picture, std::span<const Role> roles, std::span<const Move> moves,
+void draw(const Picture& picture, const Roles& roles, std::span<const Move> moves,
           std::vector<DebugDrawing>& drawings) {
   drawBall(picture, drawings);
   for (int i = 0; i < picture.seen.team_size; ++i) {
     const auto robot = static_cast<std::size_t>(i);
-    if (picture.ownPresent(i)) drawMove(picture.own(i).pose.position, roles[robot], moves[robot], drawings);
+    if (picture.ownPresent(i)) drawMove(picture.own(i).pose.position, roles.of(i), moves[robot], drawings);
   }
 }
 

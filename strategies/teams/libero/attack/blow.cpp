@@ -70,10 +70,14 @@ Vec2 clearStrikeDirection(const Picture& picture, int robot, const Aim& aim, int
       direction = outOfFrame(direction, kTurns[i] > 0.0 ? turn : Vec2{turn.x, -turn.y});
     }
     const Vec2 spot = aim.contact - direction * 0.065;
-    double cost =
-        0.3 * std::abs(kTurns[i]) + barred(picture, robot, aim.contact, direction) + distance(self, spot);
+    const double turn = 0.3 * std::abs(kTurns[i]), way = distance(self, spot);
+    const double bonus = i == previous ? 0.15 : 0.0;
+    // Bodies and walls only add to the cost, so most directions need no look at them.
+    constexpr double kRounding = 1e-9;
+    if (turn + way - bonus > least + kRounding) continue;
+    double cost = turn + barred(picture, robot, aim.contact, direction) + way;
     if (squaredNorm(insideWalls(picture.pitch.field, spot, 0.037) - spot) > 1e-4) cost += 2.0;
-    if (i == previous) cost -= 0.15;
+    cost -= bonus;
     if (cost < least) least = cost, best = i, chosen = direction;
   }
   previous = best;

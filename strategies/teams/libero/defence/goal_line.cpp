@@ -23,6 +23,22 @@ std::optional<double> crossing(const Picture& picture, double line) {
   return std::nullopt;
 }
 
+bool shotComes(const Picture& picture) {
+  constexpr double kSlowest = 0.3;  // [m/s]
+  constexpr double kPast = 0.03;    // [m] past a post
+  if (squaredNorm(picture.ball.now().velocity) <= kSlowest * kSlowest) return false;
+  const auto shot = crossing(picture, -picture.pitch.half_length);
+  return shot && std::abs(*shot) < picture.pitch.goal_half + kPast;
+}
+
+bool mustSave(const Picture& picture, int robot) {
+  const Pitch& pitch = picture.pitch;
+  const auto shot = crossing(picture, -pitch.half_length);
+  if (!shot || std::abs(*shot) > pitch.goal_half + 0.02) return false;
+  return picture.own(robot).pose.position.x < -pitch.half_length + 0.3 &&
+         picture.ball.now().position.x > picture.own(robot).pose.position.x;
+}
+
 Twist alongLine(const RobotState& self, double line, double speed) {
   const double dx = line - self.pose.position.x;
   const double lean = std::clamp(dx * 6.0, -0.4, 0.4) * std::min(1.0, std::abs(speed) / 0.2);

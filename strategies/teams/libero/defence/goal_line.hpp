@@ -7,9 +7,21 @@
 
 namespace fulbito::libero {
 
+/// [m] from the goal line to the centre of a keeper that stands in its goal.
+inline constexpr double kDepth = 0.042;
+
+/// x [m] of the line on which the keeper stands.
+inline double keeperLine(const Pitch& pitch) { return -pitch.half_length + kDepth; }
+
 /// y [m] at which the free ball crosses the line at x = `line` [m] within the next 1.2 s; empty if it does
 /// not.
 std::optional<double> crossing(const Picture& picture, double line);
+
+/// Whether a ball rolls into the own goal or at a post, faster than 0.3 m/s.
+bool shotComes(const Picture& picture);
+
+/// Whether the ball rolls into the own goal and `robot`, which is near the goal, must save it.
+bool mustSave(const Picture& picture, int robot);
 
 /// Drives along the line at `speed` [m/s]. A small turn toward the line corrects the distance from it.
 Twist alongLine(const RobotState& self, double line, double speed);

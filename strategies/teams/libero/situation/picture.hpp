@@ -1,12 +1,19 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "strategies/teams/libero/situation/ball.hpp"
 #include "strategies/teams/libero/situation/pitch.hpp"
 #include "strategies/teams/libero/situation/settings.hpp"
 
 namespace fulbito::libero {
+
+/// When and where a robot can reach the ball.
+struct Interception {
+  double time = 0.0;  ///< [s]
+  Vec2 ball = {};     ///< [m] the ball's position then
+};
 
 /// All that the skills use in one tick.
 struct Picture {
@@ -17,11 +24,23 @@ struct Picture {
   double stuck = 0.0;  ///< [s] time that the ball has stayed in a circle of 10 cm, as referees measure it
   /// [s] time for which each own robot still counts as disputing the ball; 0: it has not touched it recently.
   std::array<double, kMaxTeamSize> dispute_left{};
+  /// @{ What the choice of roles adds.
+  int keeper = -1;            ///< the robot that keeps goal; -1: none
+  int striker = -1;           ///< the robot that goes for the ball; -1: none
+  bool keepers_ball = false;  ///< only the keeper may play the ball, which is in or near the own area
+  /// Of each field player without the ball: how many of them have smaller numbers. While the ball is the
+  /// keeper's, the striker is one of them.
+  std::array<int, kMaxTeamSize> rank{};
+  /// Of each field player; empty for others.
+  std::array<std::optional<Interception>, kMaxTeamSize> interceptions{};
+  /// @}
 
   const RobotState& own(int i) const { return seen.own[static_cast<std::size_t>(i)].state; }
   bool ownPresent(int i) const { return seen.own[static_cast<std::size_t>(i)].present; }
   const RobotState& opponent(int i) const { return seen.opponents[static_cast<std::size_t>(i)].state; }
   bool opponentPresent(int i) const { return seen.opponents[static_cast<std::size_t>(i)].present; }
+  /// The ball [m] as seen from an own robot.
+  Vec2 ballFrom(int i) const { return ball.now().position - own(i).pose.position; }
   bool disputes(int i) const { return dispute_left[static_cast<std::size_t>(i)] > 0.0; }
   /// Number of opponents whose centres are within `radius` [m] of `place`.
   int opponentsNear(Vec2 place, double radius) const {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "strategies/teams/libero/motion/motion.hpp"
+#include "strategies/teams/libero/situation/move.hpp"
+#include "strategies/teams/libero/situation/picture.hpp"
+
+namespace fulbito::libero {
+
+/// The ball [m] that robots without the ball look at: 0.15 s ahead.
+Vec2 ballAhead(const Picture& picture);
+
+/// The side of the field without the ball: +1 or -1. For a ball in the middle, as at a penalty, it is the
+/// robot's own side. A fixed side would send some robots across the field.
+double farSide(Vec2 ball, Vec2 robot);
+
+/// Goes to `place` [m], round mates and opponents.
+Move travel(const Picture& picture, int robot, Vec2 place, const char* reason);
+
+/// As `travel`, to the point next to `place` [m] that is not near the striker's ball and in no area.
+Move standBy(const Picture& picture, int robot, Vec2 place, const char* reason);
+
+}  // namespace fulbito::libero

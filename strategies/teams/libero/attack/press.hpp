@@ -1,0 +1,33 @@
+#pragma once
+
+#include "strategies/teams/libero/situation/picture.hpp"
+
+namespace fulbito::libero {
+
+/// [m] between the centres of robot and ball that about touch.
+inline constexpr double kTouch = 0.075;
+/// [s] after a restart in which a free ball or a penalty is still disputed.
+inline constexpr double kDispute = 2.0;
+
+/// What a robot that presses remembers between ticks.
+struct PressMemory {
+  double jammed = 0.0;    ///< [s] time that robot and ball have pressed on something without motion
+  double slipping = 0.0;  ///< [s] left of letting a pinched ball slip out
+};
+
+/// Whether a free ball is still disputed. Then its taker only drives at the ball.
+bool disputesFreeBall(const Observation& seen);
+
+/// The wanted point [m] of the first touch. In five-a-side matches a free ball is met on its inner side.
+/// There it slips out between the two robots toward the side wall, away from the own goal.
+Vec2 firstTouch(const Picture& picture);
+
+/// Measures how long robot and ball have pressed on something without motion.
+void watchJam(const Picture& picture, int robot, PressMemory& memory);
+
+/// Drives straight at the ball, since a robot that drives round it would lose it. If two robots push with
+/// equal force, nothing moves until one turns its face slightly. Then the ball slips out to the side wall,
+/// and the robot that turned first reaches it first.
+Twist pressOn(const Picture& picture, int robot, PressMemory& memory);
+
+}  // namespace fulbito::libero

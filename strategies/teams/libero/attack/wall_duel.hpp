@@ -1,0 +1,11 @@
+#pragma once
+
+#include "strategies/teams/libero/attack/aim.hpp"
+
+namespace fulbito::libero {
+
+/// Whether the ball is slower than `speed` [m/s] at a wall of the own half, the robot is behind it, and an
+/// opponent is within `rival` [m] of it. `rel` [m] is the ball seen from the robot.
+bool isFoughtFor(const Picture& picture, Vec2 rel, const Aim& aim, double speed, double rival);
+
+}  // namespace fulbito::libero

@@ -1,0 +1,76 @@
+#include "strategies/teams/libero/defence/dribble.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/models/field_places.hpp"
+#include "strategies/teams/libero/motion/motion.hpp"
+
+namespace fulbito::libero {
+namespace {
+
+/// Whether an opponent is near a ball in the own half with the ball between it and the own goal.
+bool threatened(const Picture& picture) {
+  constexpr double kNear = 0.35;     // [m]
+  constexpr double kForward = 0.10;  // [m] greatest x of the ball
+  constexpr double kWall = 0.06;     // [m] the robot races for a ball nearer to a wall
+  const Vec2 ball = picture.ball.now().position;
+  if (ball.x > kForward || squaredNorm(insideWalls(picture.pitch.field, ball, kWall) - ball) > 1e-9)
+    return false;
+  const Vec2 goal = picture.pitch.ownGoal() - ball;
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (!picture.opponentPresent(i)) continue;
+    const Vec2 rel = ball - picture.opponent(i).pose.position;
+    if (squaredNorm(rel) < kNear * kNear && dot(rel, goal) > 0.0) return true;
+  }
+  return false;
+}
+
+/// Whether two opponents are at the ball: they push past a robot that blocks only one of them.
+bool crowded(const Picture& picture) {
+  constexpr double kCrowd = 0.3;  // [m]
+  return picture.opponentsNear(picture.ball.now().position, kCrowd) > 1;
+}
+
+/// Unit vector of the ball's course: its velocity if an opponent pushes it, otherwise toward the own goal.
+Vec2 wayOf(const Picture& picture, bool pushed) {
+  const BallState& ball = picture.ball.now();
+  return unitOr(pushed ? ball.velocity : picture.pitch.ownGoal() - ball.position, {-1.0, 0.0});
+}
+
+}  // namespace
+
+bool opponentDribblesAtGoal(const Picture& picture) {
+  const BallState& ball = picture.ball.now();
+  if (ball.velocity.x > -0.3) return false;
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (!picture.opponentPresent(i)) continue;
+    const Vec2 rel = picture.opponent(i).pose.position - ball.position;
+    if (squaredNorm(rel) < 0.11 * 0.11 && dot(rel, ball.velocity) < 0.0) return true;
+  }
+  return false;
+}
+
+bool canBlockDribble(const Picture& picture, const RobotState& robot) {
+  const bool pushed = opponentDribblesAtGoal(picture);
+  if (!pushed && (picture.pitch.isLarge() || !threatened(picture))) return false;
+  if (!picture.pitch.isLarge() && crowded(picture)) return false;
+  const Vec2 rel = intoFrame(wayOf(picture, pushed), robot.pose.position - picture.ball.now().position);
+  return rel.x > 0.02 && std::abs(rel.y) < 0.5 * rel.x + 0.05;
+}
+
+Move blockDribble(const Picture& picture, const RobotState& robot) {
+  const BallState& ball = picture.ball.now();
+  const bool pushed = opponentDribblesAtGoal(picture);
+  const Vec2 way = wayOf(picture, pushed);
+  const Vec2 goal = intoFrame(way, picture.pitch.ownGoal() - ball.position);
+  const double lead = std::min(0.3, 0.4 * distance(robot.pose.position, ball.position));
+  const double inner = pushed ? std::copysign(kInner, goal.y) : 0.0;
+  const Vec2 to = ball.position + outOfFrame(way, {lead, inner});
+  return {
+      .twist = passThrough(robot, to, picture.pitch.speed),
+      .reason = pushed ? "an opponent dribbles at our goal" : "an opponent is about to dribble at our goal",
+      .place = to};
+}
+
+}  // namespace fulbito::libero

@@ -1,0 +1,24 @@
+#include "strategies/teams/libero/attack/press.hpp"
+#include "strategies/teams/libero/playbook/skills.hpp"
+
+namespace fulbito::libero::striker {
+namespace {
+
+/// Whether an opponent is near enough to take the ball from a robot that turns away to aim. Otherwise the
+/// robot aims, since a straight push sends the ball into the opponents' corner, from where it returns along
+/// the wall.
+bool contested(const Picture& picture) {
+  constexpr double kNear = 0.22;  // [m]
+  return picture.seen.since_restart < 0.1 || picture.opponentsNear(picture.ball.now().position, kNear) > 0;
+}
+
+}  // namespace
+
+std::optional<Move> freeBall(const Picture& picture, int robot, Memory& memory) {
+  if (!disputesFreeBall(picture.seen) || !contested(picture)) return std::nullopt;
+  return Move{.twist = pressOn(picture, robot, memory.press),
+              .reason = "a free ball is disputed",
+              .ball = firstTouch(picture)};
+}
+
+}  // namespace fulbito::libero::striker

@@ -1,0 +1,51 @@
+#include "fulbito/detail/math.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/unit/strategies/teams/libero/scenes.hpp"
+#include "tests/unit/strategies/teams/libero/skills/keeper/keeper_at.hpp"
+
+namespace fulbito {
+
+TEST_CASE("libero's keeper clears a ball that lies beside its goal, though two wait for it", "[unit]") {
+  Placement scene;
+  scene.ball = {-0.688, 0.225};
+  scene.robots[0] = {Pose2{{-0.70, 0.17}, math::kPi / 2}, Pose2{{0.2, 0.3}, 0.0}, Pose2{{0.2, -0.3}, 0.0}};
+  scene.robots[1] = {Pose2{{-0.50, 0.30}, 0.0}, Pose2{{-0.50, 0.42}, 0.0}};
+  const Match match = test::playedFrom(scene, 1.0);
+  CHECK(distance(match.world().balls[0].position, scene.ball) > 0.15);
+  CHECK(match.referee().score[1] == 0);
+}
+
+TEST_CASE("libero's keeper clears a ball that creeps off it, though two wait for it", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    CAPTURE(side);
+    Placement scene;
+    scene.ball = {-0.645, -0.079};
+    scene.ball_velocity = {0.11, -0.07};
+    scene.robots[0] = {test::keeperAt({-0.745, -0.077}, side), Pose2{{-0.25, -0.45}, 0.0},
+                       Pose2{{-0.25, 0.3}, 0.0}};
+    scene.robots[1] = {Pose2{{-0.445, -0.25}, 0.0}, Pose2{{-0.369, 0.085}, 0.0}};
+    scene = test::mirrored(scene, side);
+    const Match match = test::playedFrom(scene, 1.0);
+    CHECK(distance(match.world().balls[0].position, scene.ball) > 0.2);
+    CHECK(match.referee().score[1] == 0);
+  }
+}
+
+TEST_CASE("libero's keeper goes out to a ball that creeps along its end wall", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    for (const char* opponent : {"chaser", "classic"}) {
+      CAPTURE(side, opponent);
+      Placement scene;
+      scene.ball = {-0.728, -0.446};
+      scene.ball_velocity = {0.0, 0.21};
+      scene.robots[0] = {test::keeperAt({-0.708, -0.173}, side), Pose2{{-0.46, -0.245}, 0.0}};
+      scene.robots[1] = {Pose2{{0.6, 0.0}, 0.0}, Pose2{{-0.70, -0.56}, -1.15}};
+      const Match match = test::playedFrom(test::mirrored(scene, side), 0.5, opponent);
+      // The keeper has met the ball outside its post, and the opponent has not passed.
+      CHECK(side * match.world().robots[0].pose.position.y < -0.30);
+      CHECK(side * match.world().balls[0].position.y < -0.35);
+    }
+  }
+}
+
+}  // namespace fulbito

@@ -1,0 +1,25 @@
+#include "fulbito/detail/math.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/unit/strategies/teams/libero/scenes.hpp"
+
+namespace fulbito {
+
+TEST_CASE("libero's keeper keeps its line before a fast ball that it could be first at", "[unit]") {
+  struct Slip {
+    Vec2 ball, velocity;
+    Pose2 keeper;
+  };
+  // Balls that come out of a duel in the midfield.
+  for (const Slip& slip : {Slip{{-0.336, 0.083}, {-0.92, 0.25}, {{-0.702, 0.114}, 1.62}},
+                           Slip{{-0.385, 0.116}, {-1.14, 0.32}, {{-0.700, 0.092}, -1.51}}}) {
+    CAPTURE(slip.ball.x);
+    Placement scene;
+    scene.ball = slip.ball;
+    scene.ball_velocity = slip.velocity;
+    scene.robots[0] = {slip.keeper, Pose2{{-0.12, -0.05}, 0.0}};
+    scene.robots[1] = {Pose2{{0.6, 0.0}, 0.0}, Pose2{{-0.276, 0.047}, math::kPi}};
+    test::checkHolds(scene, 1.0);
+  }
+}
+
+}  // namespace fulbito

@@ -1,0 +1,74 @@
+#include <cmath>
+
+#include "fulbito/detail/math.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/unit/strategies/teams/libero/scenes.hpp"
+
+namespace fulbito {
+
+TEST_CASE("libero's taker of a free ball drives straight at it, also where its mark is at our area's edge",
+          "[unit]") {
+  const MatchInfo info = test::infoOf(3);
+  const auto team = test::liberoIn(info);
+  for (const double mark : {-0.375, 0.375}) {
+    team->begin(info);
+    Observation seen;
+    seen.restart = RestartKind::kFreeBall;
+    seen.since_restart = 0.0;
+    seen.ball.position = {mark, -0.4};
+    const Vec2 places[] = {{-0.71, 0.0}, {mark - 0.2, -0.4}, {-0.3, 0.3}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      seen.own[i].present = seen.opponents[i].present = true;
+      seen.own[i].state.pose.position = places[i];
+      seen.opponents[i].state.pose = {{mark + 0.2 + 0.1 * static_cast<double>(i), -0.4}, math::kPi};
+    }
+    const Twist taker = team->decide(seen).robots[1].twist;
+    CHECK(taker.linear > 0.9 * info.robot.maxSpeed());
+    CHECK(std::abs(taker.angular) < 0.1);
+  }
+}
+
+TEST_CASE("libero drives at a free ball from its mark beside the area", "[unit]") {
+  const MatchInfo info = test::infoOf(3);
+  const auto team = test::liberoIn(info);
+  Observation seen;
+  seen.own[0] = test::standingAt({{-0.71, 0.1}, 1.57});
+  // nearer to the area than a robot may come during play
+  seen.own[1] = test::standingAt({{-0.575, 0.4}, 0.0});
+  seen.own[2] = test::standingAt({{0.1, 0.0}, 0.0});
+  seen.opponents[0] = test::standingAt({{-0.175, 0.4}, 3.14});
+  seen.ball.position = {-0.375, 0.4};
+  seen.restart = RestartKind::kFreeBall;
+  for (int i = 0; i < 6; ++i) {
+    seen.since_restart = i / 60.0;
+    const RobotCommand command = team->decide(seen).robots[1];
+    CHECK(command.twist.linear > 0.9 * info.robot.maxSpeed());
+    CHECK(std::abs(command.twist.angular) < 3.0);
+  }
+}
+
+TEST_CASE("libero lets a free ball that is pinched between two slip out to the side wall", "[unit]") {
+  const MatchInfo info = test::infoOf(3);
+  for (const double side : {1.0, -1.0}) {
+    const auto team = test::liberoIn(info);
+    Observation seen;
+    seen.own[0] = test::standingAt({{-0.71, 0.0}, 1.57});
+    seen.own[1] = test::standingAt({{-0.434, side * 0.4}, 0.0});
+    seen.own[2] = test::standingAt({{0.1, 0.0}, 0.0});
+    seen.opponents[0] = test::standingAt({{-0.316, side * 0.4}, math::kPi});
+    seen.ball.position = {-0.375, side * 0.4};
+    seen.restart = RestartKind::kFreeBall;
+    Twist first, last;
+    for (int i = 0; i < 24; ++i) {
+      seen.tick = Tick{12} + i;
+      seen.since_restart = static_cast<double>(seen.tick) / 60.0;
+      last = team->decide(seen).robots[1].twist;
+      if (i == 0) first = last;
+    }
+    CHECK(std::abs(first.angular) < 0.2);
+    CHECK(last.angular * side > 1.0);
+    CHECK(last.linear > 0.9 * info.robot.maxSpeed());
+  }
+}
+
+}  // namespace fulbito
