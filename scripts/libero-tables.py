@@ -18,7 +18,7 @@ SIZES = ["3v3", "5v5"]
 SPARRING = ["training", "validation"]
 YARDSTICKS = "others"
 STILL = ["idle", "random"]  # these do not play
-NORMAL = 1.96
+NORMAL = 1.959964  # two-sided 95 % point of the normal distribution
 
 
 class Measured:

@@ -18,15 +18,15 @@ the marks of docs/results/libero.md; all other text of the page stays.
   --page FILE     default: docs/results/libero.md
   --quick         short matches and few trials, to try the script; without --page the page is written to OUT/libero.md
 
-With 100 pairs it takes about ten hours on two cores. Teams and what they are for come from `fulbito list teams --json`.
+With 100 pairs it takes about two hours on two cores. Teams and what they are for come from `fulbito list teams --json`.
 Exit code: 0 the page is written; 2 wrong use; others of the program.
 USAGE
 }
 
 fail() { echo "measure-libero.sh: $*" >&2; exit 2; }
 
-cd "$(dirname "$0")/.."
-pairs=100 grid_pairs='' seed=2029 out=build/libero program=build/release/fulbito page='' quick=false
+root=$(realpath "$(dirname "$0")/..")
+pairs=100 grid_pairs='' seed=2029 out=$root/build/libero program=$root/build/release/fulbito page='' quick=false
 while [ $# -gt 0 ]; do
   case $1 in
     -h | --help) usage && exit 0 ;;
@@ -38,9 +38,9 @@ while [ $# -gt 0 ]; do
     --pairs) pairs=$2 ;;
     --grid-pairs) grid_pairs=$2 ;;
     --seed) seed=$2 ;;
-    --out) out=$2 ;;
-    --program) program=$2 ;;
-    --page) page=$2 ;;
+    --out) out=$(realpath -m "$2") ;;
+    --program) program=$(realpath -m "$2") ;;
+    --page) page=$(realpath -m "$2") ;;
   esac
   shift 2
 done
@@ -48,6 +48,7 @@ done
 grid_pairs=${grid_pairs:-$(((pairs + 4) / 5))}
 [[ $grid_pairs =~ ^[1-9][0-9]*$ ]] || fail "--grid-pairs must be a number from 1"
 [ -x "$program" ] || fail "no program '$program'"
+cd "$root"
 match=() trials=() drills=() worth=(--drill "3,6,7,8,9,10,11,12,13,14,15,16,17" --trials 200)
 if $quick; then
   pairs=1 grid_pairs=1
