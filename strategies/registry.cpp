@@ -34,9 +34,11 @@ TeamChoice TeamChoice::own(std::string name, std::function<std::unique_ptr<Strat
 
 TeamCatalogue TeamCatalogue::builtIn() {
   TeamCatalogue catalogue;
-  for (auto& info : {idleInfo(), randomTeamInfo(), chaserInfo(), classicInfo(), liberoInfo(),
-                     sparring::univectorInfo(), sparring::twinsInfo(), sparring::markerInfo(),
-                     sparring::blockInfo(), sparring::counterInfo(), sparring::presserInfo()}) {
+  for (auto& info :
+       {idleInfo(), randomTeamInfo(), chaserInfo(), classicInfo(), liberoInfo(), sparring::univectorInfo(),
+        sparring::twinsInfo(), sparring::markerInfo(), sparring::blockInfo(), sparring::counterInfo(),
+        sparring::presserInfo(), sparring::dribblerInfo(), sparring::kickerInfo(), sparring::spinnerInfo(),
+        sparring::sweeperInfo()}) {
     catalogue.teams_.push_back(std::make_shared<const TeamInfo>(info));
   }
   return catalogue;

@@ -12,6 +12,7 @@
 #include "apps/common/option_values.hpp"
 #include "apps/common/progress.hpp"
 #include "engine/core/config/suggest.hpp"
+#include "match/drills/worth.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -46,6 +47,7 @@ CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
       "  fulbito drill classic --drill 3,10 --trials 40\n"
       "  fulbito drill libero --json > drills.json\n"
       "  fulbito drill chaser classic --drill 3,10,13 --trials 80\n"
+      "  fulbito drill libero --without press,spin   what these skills are worth on the same trials\n"
       "  fulbito drill --list\n"
       "All drills take about five minutes on one core; drills 18 and 21, which are whole matches, take most "
       "of\n"
@@ -55,6 +57,14 @@ CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
   command
       ->add_option("--drill", options.drills, "drills by number or name, separated by commas (default: all)")
       ->delimiter(',');
+  CLI::Option* without =
+      command
+          ->add_option(
+              "--without", options.without,
+              "skills by name, separated by commas, or all: runs the drills with the team and without "
+              "each, and prints what each is worth")
+          ->delimiter(',')
+          ->type_name("SKILLS");
   wholeNumber(
       command->add_option("--trials", options.run.trials, "trials per drill (default: from the drill file)"),
       1, kMostTrials);
@@ -67,7 +77,7 @@ CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
       ->type_name("FOLDER");
   addTeamFlags(*command, options.outside);
   command->add_flag("--json", options.json, "print JSON");
-  command->add_flag("--check", options.check, "return exit code 1 if a drill fails");
+  command->add_flag("--check", options.check, "return exit code 1 if a drill fails")->excludes(without);
   command->add_flag("--list", options.list, "list the drills and exit");
   return command;
 }
@@ -93,6 +103,9 @@ Result<std::vector<TeamChoice>> chosenTeams(const DrillCommand& options) {
   if (options.json && options.teams.size() > 1) {
     return fail(ErrorCode::kUsage, "--json: works with one team only");
   }
+  if (!options.without.empty() && options.teams.size() > 1) {
+    return fail(ErrorCode::kUsage, "--without: works with one team only");
+  }
   std::vector<TeamChoice> teams;
   for (const std::string& name : options.teams) {
     auto team = options.run.catalogue.parse(name);
@@ -100,6 +113,23 @@ Result<std::vector<TeamChoice>> chosenTeams(const DrillCommand& options) {
     teams.push_back(std::move(*team));
   }
   return teams;
+}
+
+int worth(const std::vector<Drill>& drills, const std::vector<int>& numbers, const TeamChoice& team,
+          DrillCommand& options) {
+  const auto left_out = withoutEach(team, options.without, options.run.catalogue);
+  if (!left_out) return report(left_out.error());
+  options.run.team = team;
+  std::optional<ProgressBar> bar;
+  const auto measured =
+      measureWorth(drills, numbers, options.run, *left_out, [&](const std::string& name) -> DrillProgress {
+        bar.emplace("drills of " + name);
+        return [&](std::size_t done, std::size_t total) { return bar->update(done, total); };
+      });
+  bar.reset();
+  if (!measured) return report(measured.error());
+  options.json ? writeOut(worthJson(*measured, options.run)) : printOut(worthTable(*measured, options.run));
+  return kOk;
 }
 
 }  // namespace
@@ -117,6 +147,7 @@ int drill(DrillCommand options) {
     if (!number) return report(number.error());
     numbers.push_back(*number);
   }
+  if (!options.without.empty()) return worth(*drills, numbers, teams->front(), options);
   std::vector<std::vector<DrillReport>> reports;
   bool passed = true;
   for (const TeamChoice& team : *teams) {

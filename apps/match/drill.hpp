@@ -14,8 +14,9 @@ namespace fulbito::app {
 
 /// The command line of `fulbito drill`.
 struct DrillCommand {
-  std::vector<std::string> teams;   ///< with more than one, all are in one table
-  std::vector<std::string> drills;  ///< numbers or names
+  std::vector<std::string> teams;    ///< with more than one, all are in one table
+  std::vector<std::string> drills;   ///< numbers or names
+  std::vector<std::string> without;  ///< skills to leave out, one at a time
   DrillOptions run;
   TeamFlags outside;   ///< options for teams that are files or programs
   std::string folder;  ///< folder with drills; empty: the built-in drills

@@ -199,7 +199,11 @@ struct DrillReport {
   bool offered = true;
   std::vector<DrillVerdict> verdicts;
   std::vector<DrillTrial> trials;
+  /// Success (1 or 0) of each trial; goals ahead per full match, of whole matches. NaN: it does not count.
+  std::vector<double> values;
   bool passed() const;
+  /// Whether the drill plays whole matches.
+  bool ofMatches() const { return !drill.match_opponent.empty(); }
 };
 
 /// Called repeatedly with the number of finished trials. Returning false stops the run.

@@ -124,7 +124,7 @@ double valueOf(const DrillMatch& m, DrillMeasure measure) {
 }
 
 /// Mean with its 95 % interval by the normal approximation.
-Interval meanInterval(const std::vector<double>& values) {
+Interval normalInterval(const std::vector<double>& values) {
   const double average = mean(values);
   double squares = 0.0;
   for (const double v : values) squares += (v - average) * (v - average);
@@ -137,8 +137,8 @@ Interval meanInterval(const std::vector<double>& values) {
 double bias(const std::vector<DrillMatch>& matches) {
   std::vector<double> sides[2];
   for (const DrillMatch& m : matches) sides[m.as_blue ? 0 : 1].push_back(valueOf(m, DrillMeasure::kMargin));
-  const Interval blue = meanInterval(sides[0]);
-  const Interval yellow = meanInterval(sides[1]);
+  const Interval blue = normalInterval(sides[0]);
+  const Interval yellow = normalInterval(sides[1]);
   const double half_blue = blue.high - blue.value;
   const double half_yellow = yellow.high - yellow.value;
   const double sigma = std::sqrt(half_blue * half_blue + half_yellow * half_yellow) / 1.96;
@@ -170,7 +170,7 @@ Interval measured(const DrillBar& bar, const std::vector<DrillMatch>& matches) {
     for (const double v : values) total += v;
     return {total, total, total};
   }
-  return meanInterval(values);
+  return normalInterval(values);
 }
 
 }  // namespace
@@ -181,7 +181,7 @@ Result<DrillMatch> playDrillMatch(const DrillRun& run, const Drill& drill, const
   MatchConfig config = base;
   config.seed = run.options.seed + static_cast<std::uint64_t>(index / 2);
   config.teams[indexOf(seat)] = run.options.team;
-  config.teams[indexOf(other(seat))] = run.options.team;
+  config.teams[indexOf(other(seat))] = run.options.itself.value_or(run.options.team);
   if (drill.match_opponent != "itself") {
     auto opponent = run.options.catalogue.parse(drill.match_opponent);
     if (!opponent) return tl::unexpected<Error>(opponent.error());
@@ -198,6 +198,8 @@ Result<DrillMatch> playDrillMatch(const DrillRun& run, const Drill& drill, const
   if (const auto abandoned = match->faults().abandoned) return tl::unexpected<Error>(*abandoned);
   return tally.tally(match->referee(), statistics.statistics());
 }
+
+double marginOf(const DrillMatch& match) { return valueOf(match, DrillMeasure::kMargin); }
 
 std::vector<DrillVerdict> judgeMatches(const Drill& drill, const std::vector<DrillMatch>& matches) {
   std::vector<DrillVerdict> verdicts;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -33,10 +34,18 @@ const Drill* findDrill(const std::vector<Drill>& drills, int number) {
   return found == drills.end() ? nullptr : &*found;
 }
 
+void addValues(DrillReport& report, const std::vector<DrillTrial>& trials) {
+  constexpr double kDoesNotCount = std::numeric_limits<double>::quiet_NaN();
+  for (const DrillTrial& trial : trials) {
+    report.values.push_back(!trial.counted ? kDoesNotCount : trial.success ? 1.0 : 0.0);
+  }
+}
+
 Result<void> runTrials(const DrillRun& run, DrillReport& report, WorkProgress& progress) {
   auto trials = playTrials(run, report.drill, progress);
   if (!trials) return tl::unexpected<Error>(trials.error());
   report.trials = std::move(*trials);
+  addValues(report, report.trials);
   report.offered = std::all_of(report.trials.begin(), report.trials.end(),
                                [](const DrillTrial& trial) { return trial.offered; });
   report.verdicts = judgeTrials(report.drill, report.trials);
@@ -62,6 +71,7 @@ Result<void> runMatches(const DrillRun& run, DrillReport& report, WorkProgress& 
   report.offered = !roles || std::all_of(matches.begin(), matches.end(),
                                          [](const DrillMatch& match) { return match.roles_told; });
   report.verdicts = judgeMatches(report.drill, matches);
+  for (const DrillMatch& match : matches) report.values.push_back(marginOf(match));
   return {};
 }
 
@@ -85,6 +95,7 @@ Result<void> runRepeats(const DrillRun& run, const std::vector<Drill>& drills, D
     repeated.latency += (asked.sight.latency_ticks - asked.sight_before.latency_ticks) * dt;
     const auto after = playTrials(run, repeated, progress);
     if (!after) return tl::unexpected<Error>(after.error());
+    addValues(report, *after);
     const double reference = static_cast<double>(successes(*before)) / static_cast<double>(before->size());
     Interval kept = wilson(successes(*after), static_cast<int>(after->size()));
     if (reference > 0.0) kept = {kept.value / reference, kept.low / reference, kept.high / reference};

@@ -45,6 +45,9 @@ std::vector<DrillVerdict> judgeTrials(const Drill& drill, const std::vector<Dril
 std::vector<DrillVerdict> judgeMatches(const Drill& drill, const std::vector<DrillMatch>& matches);
 /// @}
 
+/// The goals ahead per full match.
+double marginOf(const DrillMatch& match);
+
 /// Sets `passed` by the value or its interval, and the bar.
 void judge(DrillVerdict& verdict);
 

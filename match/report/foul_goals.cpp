@@ -15,10 +15,4 @@ std::optional<std::string_view> FoulGoalFinder::take(const GameEvent& event, Tic
   return last->clause;
 }
 
-void FoulGoalCounter::onTick(const MatchTick& tick) {
-  for (const GameEvent& event : tick.events) {
-    if (finder_.take(event, tick.referee->match_ticks, dt_)) ++goals_[indexOf(*event.team)];
-  }
-}
-
 }  // namespace fulbito

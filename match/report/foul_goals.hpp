@@ -22,19 +22,4 @@ class FoulGoalFinder {
   PerTeam<std::optional<Foul>> last_;
 };
 
-/// Counts these goals of the observed match by scoring team.
-class FoulGoalCounter final : public MatchObserver {
- public:
-  /// Such goals of blue and yellow so far.
-  const PerTeam<int>& goals() const { return goals_; }
-
-  void onMatchStart(const MatchConfig& config) override { dt_ = config.physics.controlPeriod(); }
-  void onTick(const MatchTick& tick) override;
-
- private:
-  double dt_ = 0.0;
-  FoulGoalFinder finder_;
-  PerTeam<int> goals_{};
-};
-
 }  // namespace fulbito

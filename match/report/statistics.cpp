@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "match/report/foul_goals.hpp"
+#include "match/report/play_counter.hpp"
 
 namespace fulbito {
 namespace {
@@ -17,6 +18,12 @@ double shareOf(Tick part, Tick whole) {
 }
 
 }  // namespace
+
+double TeamPlay::slow() const { return shareOf(slow_ticks, robot_ticks); }
+
+double TeamPlay::fieldSlow() const { return shareOf(field_slow_ticks, field_ticks); }
+
+double TeamPlay::keeperAway() const { return shareOf(keeper_away, own_half); }
 
 double TeamStatistics::distance() const {
   double sum = 0.0;
@@ -43,6 +50,18 @@ double MatchStatistics::meanBallX(TeamId team) const {
   const double mean = ball_x_sum / static_cast<double>(play_ticks);
   return team == TeamId::kBlue ? mean : 0.0 - mean;
 }
+
+double MatchStatistics::uncovered(TeamId team) const {
+  return shareOf(teams[indexOf(team)].play.uncovered, play_ticks);
+}
+
+double MatchStatistics::fieldUncovered(TeamId team) const {
+  return shareOf(teams[indexOf(team)].play.field_uncovered, play_ticks);
+}
+
+double MatchStatistics::atWall() const { return shareOf(wall_ticks, play_ticks); }
+
+double MatchStatistics::inCorner() const { return shareOf(corner_ticks, play_ticks); }
 
 int MatchStatistics::restartCount(RestartKind kind) const {
   const PerTeam<int>& counts = restarts[static_cast<std::size_t>(kind)];
@@ -91,6 +110,7 @@ struct StatisticsObserver::Impl {
   PerTeam<std::optional<RobotId>> team_touch;  ///< last touch by each team in this play
   std::optional<Shot> open_shot;
   FoulGoalFinder foul_goals;
+  PlayCounter play;
 };
 
 StatisticsObserver::StatisticsObserver() : impl_(std::make_unique<Impl>()) {}
@@ -111,6 +131,7 @@ void StatisticsObserver::Impl::onMatchStart(const MatchConfig& config) {
   half_length = config.field.length / 2;
   half_mouth = config.field.goal_width / 2;
   ball_radius = config.robot.ball.radius;
+  play = PlayCounter(config);
   shot_pause = static_cast<Tick>(std::floor(kShotPause / counted.dt + 0.5));
 }
 
@@ -119,6 +140,7 @@ void StatisticsObserver::Impl::onPlayStart(const PlayStart& start) {
   countCalls(start.events, *start.referee);
   for (std::size_t i = 0; i < start.ids.size(); ++i) places_before[i] = start.world->robots[i].pose.position;
   in_play = start.referee->playing;
+  play.begin();
   in_possession.reset();
   last_touch.reset();
   team_touch = {};
@@ -131,6 +153,7 @@ void StatisticsObserver::Impl::onTick(const MatchTick& tick) {
     countContacts(tick);
     countMoves(tick);
     countBall(tick);
+    play.count(tick, counted);
     watchShot(tick);
   } else {
     ++counted.waiting_ticks;

@@ -64,7 +64,26 @@ std::string ballRows(const MatchStatistics& s) {
   text += row("ball in own third", [&](TeamId t) { return percent(s.third(t, 0)); });
   text += row("ball in opponents' third", [&](TeamId t) { return percent(s.third(t, 2)); });
   text += row("mean ball x [cm]", [&](TeamId t) { return fmt::format("{:+.1f}", 100.0 * s.meanBallX(t)); });
+  // The ball's places are the same for both teams.
+  text += row("ball at a wall (in a corner)",
+              [&](TeamId) { return fmt::format("{} ({})", percent(s.atWall()), percent(s.inCorner())); });
   text += row("ball touches", [&](TeamId t) { return fmt::format("{}", of(t).touches()); });
+  return text;
+}
+
+std::string playRows(const MatchStatistics& s) {
+  const auto of = [&](TeamId team) -> const TeamPlay& { return s.teams[indexOf(team)].play; };
+  const auto both = [](double all, double field) {
+    return fmt::format("{} ({})", percent(all), percent(field));
+  };
+  std::string text = row(fmt::format("slower than {:g} m/s (field robots)", kSlowSpeed),
+                         [&](TeamId t) { return both(of(t).slow(), of(t).fieldSlow()); });
+  text += row("nobody behind ball (field robots)",
+              [&](TeamId t) { return both(s.uncovered(t), s.fieldUncovered(t)); });
+  text += row("keeper away", [&](TeamId t) { return percent(of(t).keeperAway()); });
+  text += row("locks (longest contact [s])", [&](TeamId t) {
+    return fmt::format("{} ({:.1f})", of(t).locks, static_cast<double>(of(t).longest_contact) * s.dt);
+  });
   return text;
 }
 
@@ -161,7 +180,7 @@ std::string matchText(const MatchReport& report) {
   if (!s.goals.empty()) text += "\n";
   for (const GoalRecord& goal : s.goals) text += goalLine(report, goal);
   text += "\n" + row("", [&](TeamId t) { return columnText(report, t); });
-  text += ballRows(s) + robotRows(report) + restartRows(s);
+  text += ballRows(s) + playRows(s) + robotRows(report) + restartRows(s);
   text += "\n" + speedLine(report.simulated, report.wall);
   text += fmt::format("  final hash {:016x}\n", report.final_hash);
   if (report.profile) text += "\n" + profileText(*report.profile);

@@ -62,6 +62,18 @@ Json faultsJson(const TeamFaults& faults) {
           {"saturated", faults.saturated}};
 }
 
+Json playJson(const MatchStatistics& s, TeamId team) {
+  const TeamPlay& play = s.teams[indexOf(team)].play;
+  return {{"slow_share", play.slow()},
+          {"field_slow_share", play.fieldSlow()},
+          {"uncovered_share", s.uncovered(team)},
+          {"field_uncovered_share", s.fieldUncovered(team)},
+          {"keeper_away_share", play.keeperAway()},
+          {"locks", play.locks},
+          {"long_contacts", play.long_contacts},
+          {"longest_contact_s", static_cast<double>(play.longest_contact) * s.dt}};
+}
+
 Json teamJson(const MatchReport& report, TeamId team) {
   const MatchStatistics& s = report.statistics;
   const TeamStatistics& t = s.teams[indexOf(team)];
@@ -80,6 +92,7 @@ Json teamJson(const MatchReport& report, TeamId team) {
                {"mate_contacts", t.mate_contacts},
                {"commands", faultsJson(report.faults.teams[indexOf(team)])},
                {"robots", Json::array()}};
+  json.update(playJson(s, team));
   for (std::size_t i = 0; i < static_cast<std::size_t>(s.team_size); ++i) {
     json["robots"].push_back(robotJson(t.robots[i], i, s.dt));
   }
@@ -103,6 +116,8 @@ Json statsJson(const MatchReport& report) {
           {"blue", teamJson(report, TeamId::kBlue)},
           {"yellow", teamJson(report, TeamId::kYellow)},
           {"opponent_contacts", s.opponent_contacts},
+          {"wall_share", s.atWall()},
+          {"corner_share", s.inCorner()},
           {"restarts", std::move(restarts)},
           {"calls", std::move(calls)}};
 }

@@ -38,6 +38,7 @@ Twist LineKeeper::slide(const MatchInfo& info, const RobotState& robot, Vec2 pla
   constexpr double kTurnFirst = 0.7;               // [rad]
   Vec2 off = place - robot.pose.position;
   if (std::abs(off.x) > kOff && std::abs(off.y) < 2.0 * kStroke) {
+    if (stroke_ == 0.0) stroke_ = std::copysign(1.0, off.y);
     if (std::abs(off.y + stroke_ * kStroke) < 0.005) stroke_ = -stroke_;
     off.y += stroke_ * kStroke;
   }

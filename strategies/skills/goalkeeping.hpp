@@ -29,7 +29,7 @@ class LineKeeper {
   BallDrive drive_;
   SpinKick spin_;
   bool out_ = false;
-  double stroke_ = 1.0;  ///< +1 or -1: the side of the next stroke back onto the line
+  double stroke_ = 0.0;  ///< +1 or -1: the side of the stroke back onto the line; 0: none yet
 };
 
 }  // namespace fulbito

@@ -13,7 +13,7 @@ namespace {
 
 using Lines = std::vector<std::pair<std::string, std::string>>;
 
-constexpr int kSeriesLabel = 18;
+constexpr int kSeriesLabel = 20;
 constexpr int kTestLabel = 23;
 
 std::string countedText(int count, const char* one, const char* many) {
@@ -33,20 +33,48 @@ std::string goalDifferenceText(const Interval& difference) {
               : "(no interval from one pair)");
 }
 
+std::string numbers(double first, double second, int digits) {
+  return fmt::format("{:.{}f} : {:.{}f}", first, digits, second, digits);
+}
+
+std::string shares(double first, double second) { return numbers(100 * first, 100 * second, 1) + " %"; }
+
+Lines playLines(const PlayMeans& play) {
+  const TeamMeans &a = play.teams[0], &b = play.teams[1];
+  return {{"goal rate", numbers(a.goal_rate, b.goal_rate, 2) + " per 10 min of play"},
+          {"shots", fmt::format("{} per match, on goal {}", numbers(a.shots, b.shots, 1),
+                                numbers(a.shots_on_goal, b.shots_on_goal, 1))},
+          {"own goals", numbers(a.own_goals, b.own_goals, 2) + " per match"},
+          {"ball", fmt::format("in own third {}, at a wall {:.1f} %, in a corner {:.1f} %",
+                               shares(a.own_third, b.own_third), 100 * play.at_wall, 100 * play.in_corner)},
+          {"slow robots",
+           fmt::format("{}, without keeper {}", shares(a.slow, b.slow), shares(a.field_slow, b.field_slow))},
+          {"nobody behind ball", fmt::format("{}, without keeper {}", shares(a.uncovered, b.uncovered),
+                                             shares(a.field_uncovered, b.field_uncovered))},
+          {"keeper away", shares(a.keeper_away, b.keeper_away)},
+          {"locks", fmt::format("{} per match", numbers(a.locks, b.locks, 2))},
+          {"contacts", fmt::format("of teammates over {:g} s: {} per match, longest {} s", kLongContact,
+                                   numbers(a.long_contacts, b.long_contacts, 1),
+                                   numbers(a.longest_contact, b.longest_contact, 1))}};
+}
+
 Lines seriesLines(const TournamentState& state, const MatchFigures& figures) {
   const MeetingSummary& sums = figures.sums;
   const Interval& share = sums.points_share;
-  return {{"matches", fmt::format("{}, {}, {} of {}", countedText(sums.won, "win", "wins"),
-                                  countedText(sums.drawn, "draw", "draws"),
-                                  countedText(sums.lost, "loss", "losses"), shownName(state, 0))},
-          {"points share", fmt::format("{:.1f} %  ({:.1f} ... {:.1f} %, 95 %)", 100 * share.value,
-                                       100 * share.low, 100 * share.high)},
-          {"goal difference", goalDifferenceText(figures.goal_difference)},
-          {"goals", fmt::format("{} : {}", sums.goals_for, sums.goals_against)},
-          {"of these",
-           fmt::format("{} : {} within {:g} s of the scoring team's own foul", figures.goals_after_foul_for,
-                       figures.goals_after_foul_against, kFoulPaysWithin)},
-          {"verdict", seriesVerdict(state, figures)}};
+  Lines lines{{"matches", fmt::format("{}, {}, {} of {}", countedText(sums.won, "win", "wins"),
+                                      countedText(sums.drawn, "draw", "draws"),
+                                      countedText(sums.lost, "loss", "losses"), shownName(state, 0))},
+              {"points share", fmt::format("{:.1f} %  ({:.1f} ... {:.1f} %, 95 %)", 100 * share.value,
+                                           100 * share.low, 100 * share.high)},
+              {"goal difference", goalDifferenceText(figures.goal_difference)},
+              {"goals", fmt::format("{} : {}", sums.goals_for, sums.goals_against)},
+              {"of these",
+               fmt::format("{} : {} within {:g} s of the scoring team's own foul",
+                           figures.goals_after_foul_for, figures.goals_after_foul_against, kFoulPaysWithin)},
+              {"verdict", seriesVerdict(state, figures)}};
+  const Lines play = playLines(figures.play);
+  lines.insert(lines.end(), play.begin(), play.end());
+  return lines;
 }
 
 Lines testLines(const TournamentState& state, const MatchFigures& figures) {

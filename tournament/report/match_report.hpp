@@ -10,6 +10,27 @@
 /// Reports of a tournament of format match: a series of pairs, or a sequential test.
 namespace fulbito {
 
+/// Period [s] of play of a team's goal rate.
+inline constexpr double kRatePeriod = 600.0;
+
+/// How one team plays, as means over all matches of a report.
+struct TeamMeans {
+  double goals = 0.0, shots = 0.0, shots_on_goal = 0.0, own_goals = 0.0;  ///< per match
+  double locks = 0.0, long_contacts = 0.0;                                ///< per match
+  double longest_contact = 0.0;                                           ///< [s] of all matches
+  double goal_rate = 0.0;                                                 ///< per `kRatePeriod`
+  /// Shares of the time of play; others as in `TeamPlay`.
+  double own_third = 0.0, uncovered = 0.0, field_uncovered = 0.0, slow = 0.0, field_slow = 0.0;
+  double keeper_away = 0.0;
+};
+
+/// How both teams play, the first team first.
+struct PlayMeans {
+  double play = 0.0;                      ///< [s] play time of all matches
+  double at_wall = 0.0, in_corner = 0.0;  ///< shares of play time
+  PerTeam<TeamMeans> teams;
+};
+
 /// The figures of a match report.
 struct MatchFigures {
   /// Fixtures that count; with a test, those before the first missing result.
@@ -18,6 +39,7 @@ struct MatchFigures {
   PairCounts counts;         ///< pairs by the first team's points
   Interval goal_difference;  ///< of the first team, per match; interval: `meanInterval` over pairs
   int goals_after_foul_for = 0, goals_after_foul_against = 0;
+  PlayMeans play;          ///< of all matches
   double simulated = 0.0;  ///< [s] total length of the matches
 };
 MatchFigures matchFigures(const TournamentState& state);
@@ -31,7 +53,7 @@ std::string meaningOf(const TournamentState& state);
 
 /// The title of the report, which is its first line.
 std::string matchTitle(const TournamentState& state, const MatchFigures& figures);
-/// Names and values of the report's lines.
+/// Names and values of the report's lines. Figures of both teams stand as "first : second".
 std::vector<std::pair<std::string, std::string>> matchLines(const TournamentState& state,
                                                             const MatchFigures& figures);
 

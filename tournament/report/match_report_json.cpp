@@ -56,6 +56,31 @@ void addConfig(Json& json, const TournamentState& state) {
   json["build"] = buildJson();
 }
 
+Json meansJson(const TeamMeans& means) {
+  return {{"goals_per_match", means.goals},
+          {"goals_per_10min", means.goal_rate},
+          {"shots_per_match", means.shots},
+          {"shots_on_goal_per_match", means.shots_on_goal},
+          {"own_goals_per_match", means.own_goals},
+          {"own_third_share", means.own_third},
+          {"slow_share", means.slow},
+          {"field_slow_share", means.field_slow},
+          {"uncovered_share", means.uncovered},
+          {"field_uncovered_share", means.field_uncovered},
+          {"keeper_away_share", means.keeper_away},
+          {"locks_per_match", means.locks},
+          {"long_contacts_per_match", means.long_contacts},
+          {"longest_contact_s", means.longest_contact}};
+}
+
+Json playJson(const PlayMeans& play) {
+  return {{"play_s", play.play},
+          {"wall_share", play.at_wall},
+          {"corner_share", play.in_corner},
+          {"a", meansJson(play.teams[0])},
+          {"b", meansJson(play.teams[1])}};
+}
+
 Json seriesJson(const TournamentState& state, const MatchFigures& figures) {
   Json json{{"schema_version", kMatchSchemaVersion},
             {"teams", {{"a", nameOfTeam(state, 0)}, {"b", nameOfTeam(state, 1)}}},
@@ -74,6 +99,7 @@ Json seriesJson(const TournamentState& state, const MatchFigures& figures) {
   json["goals_against"] = figures.sums.goals_against;
   json["goals_after_foul_for"] = figures.goals_after_foul_for;
   json["goals_after_foul_against"] = figures.goals_after_foul_against;
+  json["play"] = playJson(figures.play);
   json["matches"] = Json::array();
   addConfig(json, state);
   json["simulated_s"] = figures.simulated;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fulbito/match.hpp"
+#include "tournament/results/play_record.hpp"
 
 namespace fulbito {
 
@@ -41,6 +42,7 @@ struct MatchResult {
   PerTeam<int> score{};             ///< goals of blue and yellow
   std::optional<TeamId> winner;     ///< winner, also by a shoot-out; empty for a draw
   PerTeam<int> goals_after_foul{};  ///< goals within `kFoulPaysWithin` after a foul of the scoring team
+  PlayRecord play;                  ///< how both teams played
   Tick ticks = 0;                   ///< length of the match [ticks]
   std::uint64_t hash = 0;           ///< `Match::hash` at the end
   MatchOutcome outcome = MatchOutcome::kNormal;

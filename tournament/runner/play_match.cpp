@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "engine/core/system/stop_request.hpp"
-#include "match/report/foul_goals.hpp"
+#include "fulbito/statistics.hpp"
 #include "referee/rules/clauses.hpp"
 
 namespace fulbito {
@@ -54,9 +54,9 @@ Result<MatchResult> playMatch(const MatchConfig& config, const MatchClock& clock
   if (turns != nullptr) turn.emplace(*turns);
   auto match = Match::create(config, clock);
   if (!match) return tl::unexpected<Error>(match.error());
-  FoulGoalCounter fouls;
+  StatisticsObserver watcher;
   MercyWatch mercy;
-  match->watch(fouls);
+  match->watch(watcher);
   match->watch(mercy);
   if (observer != nullptr) match->watch(*observer);
   while (match->step()) {
@@ -78,8 +78,15 @@ Result<MatchResult> playMatch(const MatchConfig& config, const MatchClock& clock
   const bool absent = !config.present[0] || !config.present[1];
   const MatchOutcome outcome = outcomeOf(faults, absent, mercy.heard());
   const RefereeState& referee = match->referee();
-  return MatchResult{referee.score, referee.winner, fouls.goals(),    match->tick(),
-                     match->hash(), outcome,        std::move(faults)};
+  const MatchStatistics& counted = watcher.statistics();
+  return MatchResult{referee.score,
+                     referee.winner,
+                     {counted.teams[0].goals_after_foul, counted.teams[1].goals_after_foul},
+                     recordOf(counted),
+                     match->tick(),
+                     match->hash(),
+                     outcome,
+                     std::move(faults)};
 }
 
 }  // namespace fulbito

@@ -27,6 +27,14 @@ std::string storedText(const std::string& text) {
   return shortened(Json::parse(dumped(text)).get<std::string>(), kLongestRowText);
 }
 
+Json playJson(const TeamRecord& record) {
+  Json json = Json::object();
+  for (const PlayCount& entry : kPlayCounts) {
+    if (const std::int64_t count = record.*entry.count; count != 0) json[entry.key] = count;
+  }
+  return json;
+}
+
 Json faultsJson(const TeamFaults& faults) {
   Json json = Json::object();
   for (const row::FaultCount& entry : row::kCounts) {
@@ -47,6 +55,10 @@ Json rowJson(const MatchRow& row) {
       {row::kKeys[row::kScore], result.score},
       {row::kKeys[row::kWinner], result.winner ? Json(nameOf(*result.winner)) : Json(nullptr)},
       {row::kKeys[row::kGoalsAfterFoul], result.goals_after_foul},
+      {row::kKeys[row::kPlayTicks], result.play.play_ticks},
+      {row::kKeys[row::kWallTicks], result.play.wall_ticks},
+      {row::kKeys[row::kCornerTicks], result.play.corner_ticks},
+      {row::kKeys[row::kPlay], {playJson(result.play.teams[0]), playJson(result.play.teams[1])}},
       {row::kKeys[row::kTicks], result.ticks},
       {row::kKeys[row::kHash], hexText(result.hash)},
       {row::kKeys[row::kOutcome], nameOf(result.outcome)},
@@ -74,7 +86,12 @@ MatchRow storedForm(MatchRow row) {
 
 bool sameResult(const MatchResult& a, const MatchResult& b) {
   const auto values = [](const MatchResult& r) {
-    return std::tie(r.score, r.winner, r.goals_after_foul, r.ticks, r.hash, r.outcome);
+    return std::tie(r.score, r.winner, r.goals_after_foul, r.play.play_ticks, r.play.wall_ticks,
+                    r.play.corner_ticks, r.ticks, r.hash, r.outcome);
+  };
+  const auto same_play = [](const TeamRecord& x, const TeamRecord& y) {
+    return std::all_of(std::begin(kPlayCounts), std::end(kPlayCounts),
+                       [&](const PlayCount& c) { return x.*c.count == y.*c.count; });
   };
   const auto same_faults = [](const TeamFaults& x, const TeamFaults& y) {
     return x.forfeited == y.forfeited &&
@@ -82,6 +99,7 @@ bool sameResult(const MatchResult& a, const MatchResult& b) {
                        [&](const row::FaultCount& c) { return x.*c.count == y.*c.count; });
   };
   return values(a) == values(b) &&
+         std::equal(a.play.teams.begin(), a.play.teams.end(), b.play.teams.begin(), same_play) &&
          std::equal(a.faults.teams.begin(), a.faults.teams.end(), b.faults.teams.begin(), same_faults) &&
          a.faults.abandoned.has_value() == b.faults.abandoned.has_value();
 }

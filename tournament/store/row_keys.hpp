@@ -19,6 +19,10 @@ enum Part : std::size_t {
   kScore,
   kWinner,
   kGoalsAfterFoul,
+  kPlayTicks,
+  kWallTicks,
+  kCornerTicks,
+  kPlay,
   kTicks,
   kHash,
   kOutcome,
@@ -27,8 +31,9 @@ enum Part : std::size_t {
   kSum
 };
 inline constexpr const char* kKeys[] = {
-    "id",    "teams",      "start",   "seed",   "score",     "winner", "goals_after_foul",
-    "ticks", "final_hash", "outcome", "faults", "abandoned", "sum"};
+    "id",         "teams",      "start",        "seed", "score", "winner",     "goals_after_foul",
+    "play_ticks", "wall_ticks", "corner_ticks", "play", "ticks", "final_hash", "outcome",
+    "faults",     "abandoned",  "sum"};
 
 /// The key of a count, and its member of `TeamFaults`.
 struct FaultCount {

@@ -37,6 +37,29 @@ struct RobotStatistics {
   int goals = 0;          ///< goals, without own goals
 };
 
+/// How a team stands and moves, as counts during play. The keeper is the robot nearest to the centre of the
+/// own goal at that tick.
+struct TeamPlay {
+  Tick robot_ticks = 0;            ///< ticks of all its robots on the field
+  Tick slow_ticks = 0;             ///< of these, slower than `kSlowSpeed`
+  Tick field_ticks = 0;            ///< ticks of its robots without the keeper
+  Tick field_slow_ticks = 0;       ///< of these, slower than `kSlowSpeed`
+  Tick own_half = 0;               ///< ticks with the ball in its half
+  Tick keeper_away = 0;            ///< of these, with its keeper beyond `kKeeperLeash`
+  Tick uncovered = 0;              ///< ticks with none of its robots nearer to its goal line than the ball
+  Tick field_uncovered = 0;        ///< the same without the keeper
+  std::int64_t locks = 0;          ///< see `kLockSpeed`
+  std::int64_t long_contacts = 0;  ///< contacts of two of its robots for more than `kLongContact`
+  Tick longest_contact = 0;        ///< ticks of the longest contact of two of its robots
+
+  /// Share of the time of all its robots that they are slow.
+  double slow() const;
+  /// The same without the keeper.
+  double fieldSlow() const;
+  /// Share of the time with the ball in its half in which the keeper is away.
+  double keeperAway() const;
+};
+
 /// Statistics of one team during play.
 struct TeamStatistics {
   Tick possession = 0;           ///< ticks with possession, see `kPossessionLead`
@@ -46,6 +69,7 @@ struct TeamStatistics {
   int goals_after_foul = 0;      ///< goals within `kFoulPaysWithin` of its own foul
   int wall_contacts = 0;         ///< contacts of its robots with walls that began
   int mate_contacts = 0;         ///< contacts between its own robots that began
+  TeamPlay play;                 ///< how its robots stand and move
   std::array<Tick, 3> thirds{};  ///< ticks with the ball in the own, middle and opponents' third
   std::array<RobotStatistics, kMaxTeamSize> robots{};  ///< by robot number
 
@@ -79,6 +103,21 @@ inline constexpr double kShotNearMiss = 0.10;  ///< [m] next to a post
 inline constexpr double kShotPause = 0.25;     ///< [s]
 /// @}
 
+inline constexpr double kWallGap = 0.05;  ///< [m] largest gap between a wall and a ball that counts as at it
+/// [m] A ball is in a corner if its centre is at most this far from both the line of a side wall and the line
+/// of an end wall.
+inline constexpr double kCornerReach = 0.15;
+inline constexpr double kSlowSpeed = 0.05;    ///< [m/s] slower robots nearly stand; turning does not count
+inline constexpr double kKeeperLeash = 0.30;  ///< [m] largest distance of a keeper from its goal's centre
+
+/// @{ Two robots of a team lock each other if they touch and both are slower than `kLockSpeed`, for more than
+/// `kLockSeconds`. A contact is long after `kLongContact`. Pauses up to `kContactPause` end neither.
+inline constexpr double kLockSpeed = 0.12;    ///< [m/s]
+inline constexpr double kLockSeconds = 1.5;   ///< [s]
+inline constexpr double kLongContact = 0.5;   ///< [s]
+inline constexpr double kContactPause = 0.1;  ///< [s]
+/// @}
+
 /// Statistics of a match. Only ticks of play count, except in `goals`, `restarts` and `calls`.
 struct MatchStatistics {
   double dt = 0.0;                ///< [s] length of a tick
@@ -92,6 +131,8 @@ struct MatchStatistics {
   std::vector<CallCount> calls;  ///< number of calls by rule, in the order of their first occurrence
   int opponent_contacts = 0;     ///< contacts between robots of the two teams that began
   double ball_x_sum = 0.0;       ///< [m] summed over ticks; +: toward yellow's goal
+  Tick wall_ticks = 0;           ///< ticks with the ball at a wall, see `kWallGap`
+  Tick corner_ticks = 0;         ///< ticks with the ball in a corner, see `kCornerReach`
 
   /// Share of possession, 0 ... 1. Both teams' shares add up to 1, or are 0 if neither team had possession.
   double possession(TeamId team) const;
@@ -99,6 +140,14 @@ struct MatchStatistics {
   double third(TeamId team, std::size_t which) const;
   /// [m] Mean x of the ball in the team's frame; positive in the opponents' half.
   double meanBallX(TeamId team) const;
+  /// Share of play time with none of the team's robots behind the ball.
+  double uncovered(TeamId team) const;
+  /// The same without the keeper.
+  double fieldUncovered(TeamId team) const;
+  /// Share of play time with the ball at a wall.
+  double atWall() const;
+  /// Share of play time with the ball in a corner.
+  double inCorner() const;
   /// The number of restarts of one kind.
   int restartCount(RestartKind kind) const;
 };

@@ -24,7 +24,7 @@ class Block final : public School {
   RobotCommand play(const Observation& now, std::size_t i, std::size_t rank) override {
     const Vec2 ball = now.ball.position;
     if (rank == 1 && (isClearable(now, i) || order().size() == 1)) return clear(now, i);
-    if (rank > 2) return stand({0.1, (rank == 3 ? 1.0 : -1.0) * field().width / 4});
+    if (rank > 2) return stand({0.1, std::copysign(field().width / 4, rank == 3 ? ball.y : -ball.y)});
     // The two stand side by side on the ways from the ball to the halves of the goal.
     const Vec2 toward = unitOr(ball - ownGoal(field()), {1.0, 0.0});
     const double out = field().goal_area_depth + info().robot.circumradius() + 0.1;

@@ -13,4 +13,11 @@ TeamInfo counterInfo();
 TeamInfo presserInfo();
 /// @}
 
+/// @{ Teams that only validate: nothing is tuned against them.
+TeamInfo dribblerInfo();
+TeamInfo kickerInfo();
+TeamInfo spinnerInfo();
+TeamInfo sweeperInfo();
+/// @}
+
 }  // namespace fulbito::sparring

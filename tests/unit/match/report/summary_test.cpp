@@ -55,6 +55,13 @@ TEST_CASE("a match's JSON has the promised keys and the figures of the statistic
   CHECK(json["events"].size() == played.report.events.size());
   CHECK(json["stats"]["blue"]["robots"].size() == 3);
   CHECK(json["stats"]["blue"]["goals_after_foul"] == played.report.statistics.teams[0].goals_after_foul);
+  const MatchStatistics& counted = played.report.statistics;
+  CHECK(json["stats"]["wall_share"] == counted.atWall());
+  CHECK(json["stats"]["corner_share"] == counted.inCorner());
+  CHECK(json["stats"]["blue"]["slow_share"] == counted.teams[0].play.slow());
+  CHECK(json["stats"]["blue"]["uncovered_share"] == counted.uncovered(TeamId::kBlue));
+  CHECK(json["stats"]["blue"]["keeper_away_share"] == counted.teams[0].play.keeperAway());
+  CHECK(json["stats"]["yellow"]["locks"] == counted.teams[1].play.locks);
   for (const auto& [clause, count] : json["stats"]["calls"].items()) CHECK(count["paid"].contains("yellow"));
   CHECK(json["stats"]["play_s"].get<double>() == Approx(40.0));
   CHECK(json["x_realtime"].get<double>() == Approx(json["simulated_s"].get<double>() / 0.5));
@@ -86,7 +93,8 @@ TEST_CASE("the summary tells score, table, speed and hash; the profile when it w
   Played played(chasers());
   const std::string text = matchText(played.report);
   for (const char* part :
-       {"chaser (blue) ", "possession", "shots (on goal)", "ball in own third", "distance driven",
+       {"chaser (blue) ", "possession", "shots (on goal)", "ball in own third", "at a wall (in a corner)",
+        "slower than 0.05 m/s", "nobody behind ball", "keeper away", "longest contact", "distance driven",
         "contacts with opponents", "commands rejected", "goals within 5 s of own foul", "kick-offs",
         "x real time", "final hash", "seed 1"}) {
     INFO(part);

@@ -22,6 +22,24 @@ std::vector<PairResult> somePairs() {
                                    pairOf({4, 0}, {2, 2}, 13)};
   pairs[0].legs[0].goals_after_foul = {1, 0};
   pairs[1].legs[1].goals_after_foul = {1, 0};
+  for (PairResult& pair : pairs) {
+    for (std::size_t leg = 0; leg < 2; ++leg) {
+      PlayRecord& play = pair.legs[leg].play;
+      play = {3000, 1500, 300, {}};
+      TeamRecord &first = play.teams[leg], &second = play.teams[1 - leg];
+      first.shots = 4;
+      first.shots_on_goal = 2;
+      second.own_goals = 1;
+      first.own_third = 600;
+      first.robot_ticks = first.field_ticks = 9000;
+      first.slow_ticks = 900;
+      first.own_half = 1000;
+      first.keeper_away = 100;
+      second.uncovered = 30;
+      second.locks = 2;
+      second.longest_contact = leg == 0 ? 60 : 90;
+    }
+  }
   return pairs;
 }
 
@@ -32,12 +50,21 @@ TEST_CASE("the report of a series", "[unit]") {
         "libero against classic: 3 swapped pairs, 6 matches\n"
         "vsss-3v3, halves of 30 s, standard physics, seed 1\n"
         "\n"
-        "  matches           3 wins, 2 draws, 1 loss of libero\n"
-        "  points share      66.7 %  (24.1 ... 92.6 %, 95 %)\n"
-        "  goal difference   +1.17 per match  (-2.42 ... +4.75, 95 %)\n"
-        "  goals             12 : 5\n"
-        "  of these          1 : 1 within 5 s of the scoring team's own foul\n"
-        "  verdict           no significant difference (95 %)\n"
+        "  matches             3 wins, 2 draws, 1 loss of libero\n"
+        "  points share        66.7 %  (24.1 ... 92.6 %, 95 %)\n"
+        "  goal difference     +1.17 per match  (-2.42 ... +4.75, 95 %)\n"
+        "  goals               12 : 5\n"
+        "  of these            1 : 1 within 5 s of the scoring team's own foul\n"
+        "  verdict             no significant difference (95 %)\n"
+        "  goal rate           24.00 : 10.00 per 10 min of play\n"
+        "  shots               4.0 : 0.0 per match, on goal 2.0 : 0.0\n"
+        "  own goals           0.00 : 1.00 per match\n"
+        "  ball                in own third 20.0 : 0.0 %, at a wall 50.0 %, in a corner 10.0 %\n"
+        "  slow robots         10.0 : 0.0 %, without keeper 0.0 : 0.0 %\n"
+        "  nobody behind ball  0.0 : 1.0 %, without keeper 0.0 : 0.0 %\n"
+        "  keeper away         10.0 : 0.0 %\n"
+        "  locks               0.00 : 2.00 per match\n"
+        "  contacts            of teammates over 0.5 s: 0.0 : 0.0 per match, longest 0.0 : 1.5 s\n"
         "\n"
         "  360.0 s simulated\n");
 }
@@ -68,6 +95,14 @@ TEST_CASE("the JSON of a series has its figures and each match from A's side", "
   CHECK(json["goals_for"] == 12);
   CHECK(json["goals_after_foul_against"] == 1);
   CHECK(json["better"].is_null());
+  CHECK(json["play"]["play_s"] == 300.0);
+  CHECK(json["play"]["wall_share"] == 0.5);
+  CHECK(json["play"]["corner_share"] == 0.1);
+  CHECK(json["play"]["a"]["goals_per_match"] == 2.0);
+  CHECK(json["play"]["b"]["goals_per_10min"] == 10.0);
+  CHECK(json["play"]["a"]["own_third_share"] == 0.2);
+  CHECK(json["play"]["a"]["keeper_away_share"] == 0.1);
+  CHECK(json["play"]["b"]["locks_per_match"] == 2.0);
   REQUIRE(json["matches"].size() == 6);
   CHECK(json["matches"][3] == nlohmann::json{{"pair", 1},
                                              {"leg", 2},

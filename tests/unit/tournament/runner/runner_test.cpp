@@ -151,7 +151,10 @@ TEST_CASE("the second leg exchanges the seats: points and goals follow the team"
   const MatchResult& first = played->state.results[0]->legs[0];
   CHECK(first.hash == match->hash());
   CHECK(first.ticks == match->tick());
+  CHECK(first.play.play_ticks == watcher.statistics().play_ticks);
+  CHECK(first.play.wall_ticks == watcher.statistics().wall_ticks);
   for (const TeamId team : kTeams) {
+    CHECK(first.play.teams[indexOf(team)].shots == watcher.statistics().teams[indexOf(team)].shots);
     CHECK(first.goals_after_foul[indexOf(team)] ==
           watcher.statistics().teams[indexOf(team)].goals_after_foul);
   }

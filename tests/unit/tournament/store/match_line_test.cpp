@@ -36,6 +36,9 @@ MatchRow unusualRow() {
   row.seed = std::numeric_limits<std::uint64_t>::max();
   row.result.hash = 1;  // has leading zeros
   row.result.ticks = std::numeric_limits<Tick>::max();
+  row.result.play.wall_ticks = std::numeric_limits<Tick>::max();
+  std::int64_t next = 1;
+  for (const PlayCount& entry : kPlayCounts) row.result.play.teams[1].*entry.count = next++;
   row.result.score = {std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
   row.result.outcome = MatchOutcome::kForfeit;
   row.result.winner.reset();
@@ -56,13 +59,17 @@ TEST_CASE("a line has the keys in a fixed order and a checksum", "[unit]") {
   row.seed = 18446744073709551615u;
   row.result.score = {1, 0};
   row.result.winner = TeamId::kBlue;
+  row.result.play = {30000, 9000, 300, {}};
+  row.result.play.teams[1].shots = 4;
+  row.result.play.teams[1].locks = 1;
   row.result.ticks = 36000;
   row.result.hash = 0xabcu;
   row.result.faults.teams[0].late = 3;
   CHECK(toLine(row) ==
         signedLine("{\"id\":\"0123456789abcdef0000000000000001\",\"teams\":[\"classic\",\"libero\"],"
                    "\"start\":\"kick-off\",\"seed\":18446744073709551615,\"score\":[1,0],"
-                   "\"winner\":\"blue\",\"goals_after_foul\":[0,0],\"ticks\":36000,"
+                   "\"winner\":\"blue\",\"goals_after_foul\":[0,0],\"play_ticks\":30000,\"wall_ticks\":9000,"
+                   "\"corner_ticks\":300,\"play\":[{},{\"shots\":4,\"locks\":1}],\"ticks\":36000,"
                    "\"final_hash\":\"0000000000000abc\",\"outcome\":\"normal\","
                    "\"faults\":[{\"late\":3},{}]") +
             "\n");
@@ -149,6 +156,12 @@ TEST_CASE("a line of another shape is refused, though its checksum is right", "[
   CHECK(errorOf(changedLine("\"mercy\"", "\"merci\"")) == "not a match: 'outcome' is missing or wrong");
   CHECK(errorOf(changedLine("\"teams\":[\"classic\",\"libero\"]", "\"teams\":{}")) ==
         "not a match: 'teams' is missing or wrong");
+  for (const char* play : {"[{}]", "{}", "[[],[]]", "[1,2]", "[{\"shots\":\"1\"},{}]", "[{\"shots\":-1},{}]",
+                           "[{\"shots\":true},{}]", "[{\"late\":1},{}]", "[{\"shots\":1,\"shots\":2},{}]",
+                           "[{\"failure\":\"no\"},{}]"}) {
+    CHECK(errorOf(changedLine("[{\"shots\":1},{\"longest_contact\":1}]", play)) ==
+          "not a match: 'play' is missing or wrong");
+  }
   for (const char* faults :
        {"[{}]", "[{},{},{}]", "{}", "[[],[]]", "[1,2]", "[{\"late\":\"3\"},{}]", "[{\"late\":-1},{}]",
         "[{\"later\":1},{}]", "[{\"late\":1,\"late\":2},{}]", "[{\"failure\":1},{}]",
@@ -166,7 +179,7 @@ TEST_CASE("results differ by each value but not by the words of a failure", "[un
   MatchResult same = base;
   same.faults.teams[1].failure = "process 4711 was killed";
   CHECK(sameResult(base, same));
-  std::vector<MatchResult> others(14, base);
+  std::vector<MatchResult> others(16, base);
   others[0].score[1] = 5;
   others[1].winner = TeamId::kBlue;
   others[2].goals_after_foul[0] += 1;
@@ -181,6 +194,8 @@ TEST_CASE("results differ by each value but not by the words of a failure", "[un
   others[11].faults.teams[1].stale += 1;
   others[12].faults.teams[1].failures -= 1;
   others[13].faults.abandoned.reset();
+  others[14].play.corner_ticks += 1;
+  others[15].play.teams[1].uncovered += 1;
   for (std::size_t i = 0; i < others.size(); ++i) {
     INFO(i);
     CHECK_FALSE(sameResult(base, others[i]));
