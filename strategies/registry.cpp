@@ -34,13 +34,18 @@ TeamChoice TeamChoice::own(std::string name, std::function<std::unique_ptr<Strat
 
 TeamCatalogue TeamCatalogue::builtIn() {
   TeamCatalogue catalogue;
-  for (auto& info :
-       {idleInfo(), randomTeamInfo(), chaserInfo(), classicInfo(), liberoInfo(), sparring::univectorInfo(),
-        sparring::twinsInfo(), sparring::markerInfo(), sparring::blockInfo(), sparring::counterInfo(),
-        sparring::presserInfo(), sparring::dribblerInfo(), sparring::kickerInfo(), sparring::spinnerInfo(),
-        sparring::sweeperInfo()}) {
-    catalogue.teams_.push_back(std::make_shared<const TeamInfo>(info));
-  }
+  const auto add = [&catalogue](std::vector<TeamInfo> teams, const char* purpose) {
+    for (TeamInfo& info : teams) {
+      info.purpose = purpose;
+      catalogue.teams_.push_back(std::make_shared<const TeamInfo>(std::move(info)));
+    }
+  };
+  add({idleInfo(), randomTeamInfo(), chaserInfo(), classicInfo(), liberoInfo()}, "");
+  add({sparring::univectorInfo(), sparring::twinsInfo(), sparring::markerInfo(), sparring::blockInfo(),
+       sparring::counterInfo(), sparring::presserInfo()},
+      "training");
+  add({sparring::dribblerInfo(), sparring::kickerInfo(), sparring::spinnerInfo(), sparring::sweeperInfo()},
+      "validation");
   return catalogue;
 }
 

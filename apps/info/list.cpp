@@ -80,6 +80,7 @@ Json navigatorJson(const NavigatorInfo& info) {
 Json teamJson(const TeamInfo& info) {
   Json json = {{"name", info.name},
                {"summary", info.summary},
+               {"purpose", info.purpose},
                {"takes_navigator", info.takes_navigator},
                {"default_navigator", info.default_navigator},
                {"parameters", Json::array()},
@@ -126,7 +127,8 @@ void printSkills(const std::vector<SkillInfo>& skills) {
 
 void printTeams() {
   for (const auto& info : TeamCatalogue::builtIn().teams()) {
-    say("{}\n  {}\n", info->name, info->summary);
+    say("{}{}\n  {}\n", info->name, info->purpose.empty() ? "" : " (for " + info->purpose + ")",
+        info->summary);
     for (const ParameterSpec& spec : info->parameters) printParameter(spec);
     if (info->takes_navigator) {
       say("    {:<16} {}; any of fulbito list navigators\n", "navigator", info->default_navigator);

@@ -290,6 +290,9 @@ struct TeamInfo {
   bool outside = false;  ///< a file or a program: the rules limit its time unless the match does
   /// The play book: role by role, in the order of priority. Empty: the team has none and takes no `without`.
   std::vector<SkillInfo> skills = {};
+  /// What a sparring team is for. "training": other teams are tuned against it. "validation": they are judged
+  /// against it, but never tuned. Empty: it is no sparring team.
+  std::string purpose = {};
 };
 
 /// A team and its settings, for a seat of a match. The entry lives as long as any choice of it.
