@@ -5,7 +5,6 @@
 #include "engine/core/config/suggest.hpp"
 #include "fulbito/strategy.hpp"
 #include "navigation/interface/parameters.hpp"
-#include "strategies/teams/sparring/sparring.hpp"
 
 namespace fulbito {
 
@@ -22,6 +21,24 @@ TeamInfo classicInfo();
 /// The flagship team: a striker, a support and a keeper who exchange their roles during play
 /// (docs/libero.md).
 TeamInfo liberoInfo();
+
+/// The sparring teams, each a school of play (docs/strategies.md).
+namespace sparring {
+/// @{ Teams are tuned against these.
+TeamInfo univectorInfo();
+TeamInfo twinsInfo();
+TeamInfo markerInfo();
+TeamInfo blockInfo();
+TeamInfo counterInfo();
+TeamInfo presserInfo();
+/// @}
+/// @{ Teams that only validate: nothing is tuned against them.
+TeamInfo dribblerInfo();
+TeamInfo kickerInfo();
+TeamInfo spinnerInfo();
+TeamInfo sweeperInfo();
+/// @}
+}  // namespace sparring
 
 TeamChoice TeamChoice::own(std::string name, std::function<std::unique_ptr<Strategy>()> make) {
   TeamInfo info;

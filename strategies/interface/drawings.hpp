@@ -8,7 +8,7 @@
 
 namespace fulbito {
 
-/// @{ Append a line, a circle or a robot's name to `drawings`, in the team's frame.
+/// @{ Append a line, a circle, a robot's name or a remark to `drawings`, in the team's frame.
 inline void addLine(std::vector<DebugDrawing>& drawings, Vec2 from, Vec2 to) {
   drawings.push_back({DebugDrawing::Kind::kLine, from, to, 0.0, {}});
 }
@@ -17,10 +17,16 @@ inline void addCircle(std::vector<DebugDrawing>& drawings, Vec2 centre, double r
   drawings.push_back({DebugDrawing::Kind::kCircle, centre, {}, radius, {}});
 }
 
+inline constexpr double kBeside = 0.075;  ///< [m] from the robot's centre to words, clear of its body
+
 /// A robot's role, next to its body.
 inline void addName(std::vector<DebugDrawing>& drawings, Vec2 robot, const char* name) {
-  constexpr double kBeside = 0.075;  // [m] above the robot's centre, clear of the body at any heading
   drawings.push_back({DebugDrawing::Kind::kText, robot + Vec2{0.0, kBeside}, {}, 0.0, name});
+}
+
+/// A remark about a robot, on the other side of its body than its name.
+inline void addRemark(std::vector<DebugDrawing>& drawings, Vec2 robot, const char* remark) {
+  drawings.push_back({DebugDrawing::Kind::kText, robot - Vec2{0.0, kBeside}, {}, 0.0, remark});
 }
 /// @}
 

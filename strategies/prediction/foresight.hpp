@@ -11,8 +11,8 @@
 
 namespace fulbito {
 
-/// The bodies from noisy observations (`MatchInfo::position_noise`): own robots by their wheels, opponents and
-/// ball by fitted lines. Exact observations need no work.
+/// The bodies from noisy observations (`MatchInfo::position_noise`): own robots by their wheels, opponents
+/// and ball by fitted lines. Exact observations need no work.
 class Tracks {
  public:
   Tracks() = default;

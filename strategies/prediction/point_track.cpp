@@ -5,7 +5,7 @@
 namespace fulbito {
 namespace {
 
-constexpr int kMemory = 12;       // positions: a fifth of a second at 60 Hz
+constexpr int kMemory = 12;        // positions: a fifth of a second at 60 Hz
 constexpr double kSurprise = 3.5;  // standard deviations
 
 }  // namespace

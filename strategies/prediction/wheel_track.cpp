@@ -7,9 +7,9 @@
 namespace fulbito {
 namespace {
 
-constexpr double kSlides = 0.03;    // [m/s] motion that the wheels do not show, such as slip in curves
-constexpr double kTurns = 0.6;      // [rad/s] the same of the yaw rate
-constexpr double kSurprise = 4.0;   // standard deviations: something has pushed the robot
+constexpr double kSlides = 0.03;   // [m/s] motion that the wheels do not show, such as slip in curves
+constexpr double kTurns = 0.6;     // [rad/s] the same of the yaw rate
+constexpr double kSurprise = 4.0;  // standard deviations: something has pushed the robot
 
 /// The steady gain of a filter for a value that drifts by `drift` per step and is seen with `noise`.
 double gainFor(double drift, double noise) {

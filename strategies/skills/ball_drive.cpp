@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/models/field_places.hpp"
 #include "fulbito/detail/math.hpp"
 
 namespace fulbito {
@@ -59,7 +60,11 @@ Twist BallDrive::update(const MatchInfo& info, const RobotState& robot, const Dr
   constexpr double kGripShare = 0.8;  // of the lateral grip; the rest is for contacts
   constexpr double kFast = 0.4;       // [m/s] a faster robot turns its leading end round
   const RobotModel& model = info.robot;
-  DriveField guide{info.field, goal, model.width / 2, model.length / 2 + info.ball.radius + goal.room, 0.0};
+  // At a wall the body drives in the lane beside it: turned toward the ball itself, its corner would touch
+  // the wall and the ball would slip through.
+  DriveGoal lane = goal;
+  lane.ball = insideWalls(info.field, goal.ball, model.width / 2 + 0.002);
+  DriveField guide{info.field, lane, model.width / 2, model.length / 2 + info.ball.radius + goal.room, 0.0};
   guide.chooseSide();
   const Vec2 p = robot.pose.position;
   const double wanted = guide.heading(p);

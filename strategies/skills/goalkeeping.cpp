@@ -78,7 +78,7 @@ RobotCommand LineKeeper::update(const MatchInfo& info, const Foresight& foresigh
   // A ball carried along the end wall is pushed back the way it came: beside the post nothing is lost.
   const double beside = std::abs(ball.y) - info.field.goal_width / 2;
   const bool along_wall = ball.x < -info.field.length / 2 + 2.0 * depth && beside > -info.robot.length / 2 &&
-                          beside < info.robot.length * 1.5;
+                          beside < info.robot.length * 2.5;
   const double farthest = info.field.goal_width / 2 - info.robot.length / 2 + info.ball.radius;
   Vec2 place = keeperPoint(info.field, foresight.ball(), depth, farthest, info.ball.radius);
   if (along_wall && std::abs(robot.pose.position.x - place.x) < 0.03 && side * ball.y > 0.0)

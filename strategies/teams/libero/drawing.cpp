@@ -1,7 +1,6 @@
 #include "strategies/teams/libero/drawing.hpp"
 
 #include <cmath>
-#include <string>
 
 #include <fmt/format.h>
 
@@ -58,8 +57,8 @@ void drawMove(Vec2 robot, Role role, const Move& move, std::vector<DebugDrawing>
     addLine(drawings, from, *move.target);
     addCircle(drawings, *move.target, kPlace);
   }
-  const std::string name = fmt::format("{}: {} ({})", nameOf(role), move.skill, move.reason);
-  addName(drawings, robot, name.c_str());
+  addName(drawings, robot, fmt::format("{}: {}", nameOf(role), move.skill).c_str());
+  addRemark(drawings, robot, move.reason);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include "strategies/interface/team_info.hpp"
 #include "strategies/skills/positions.hpp"
 #include "strategies/teams/sparring/school.hpp"
-#include "strategies/teams/sparring/sparring.hpp"
 
 namespace fulbito::sparring {
 namespace {
@@ -26,7 +25,9 @@ class Counter final : public School {
     if (rank == 1) breaks_ = isChance(now, i);
     const double out = 0.5 * field().goal_area_depth + 0.25 * (ball.x + field().length / 2);
     if (!breaks_) {
-      const bool press = rank == 1 && ball.x < -field().length / 8;
+      // Nobody waits for a kick-off, or near the own goal.
+      const bool kick_off = now.restart == RestartKind::kKickOff && now.since_restart < 1.5;
+      const bool press = rank == 1 && (kick_off || ball.x < 0.0);
       return press ? attack(now, i)
                    : stand(shadowPoint(field(), ball,
                                        std::max(0.15, out) + 0.15 * static_cast<double>(rank - 1)));

@@ -4,7 +4,6 @@
 #include "strategies/skills/area_projection.hpp"
 #include "strategies/skills/positions.hpp"
 #include "strategies/teams/sparring/school.hpp"
-#include "strategies/teams/sparring/sparring.hpp"
 
 namespace fulbito::sparring {
 namespace {
@@ -32,19 +31,19 @@ class Marker final : public School {
     const double close = 2.0 * info().robot.circumradius() + 0.02;
     const Vec2 mark = man + unitOr(ownGoal(field()) - man, {-1.0, 0.0}) * close;
     const Vec2 cut = unitOr(ball - mark, {1.0, 0.0}) * 0.03;
-    if (distance(man, ball) < kAtBall && mark.x < ball.x) return attack(now, i);
     return stand(mark + cut);
   }
 
  private:
-  /// The opponents to mark: by their distance to the own goal and to the ball, without their keeper.
+  /// The opponents to mark, by their distance to the own goal and to the ball.
   void choose(const Observation& now) {
     std::array<double, kMaxTeamSize> danger{};
     count_ = 0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(now.team_size); ++k) {
       if (!now.opponents[k].present) continue;
       const Vec2 p = now.opponents[k].state.pose.position;
-      if (isInArea(field(), p, false)) continue;
+      // The first takes the man at the ball; their keeper needs no marker.
+      if (isInArea(field(), p, false) || distance(p, now.ball.position) < kAtBall) continue;
       danger[k] = distance(p, ownGoal(field())) + 0.5 * distance(p, now.ball.position);
       men_[count_++] = k;
     }
@@ -54,7 +53,7 @@ class Marker final : public School {
               });
   }
 
-  static constexpr double kAtBall = 0.12;  // [m] an opponent with the ball is pressed, not shadowed
+  static constexpr double kAtBall = 0.12;  // [m] from the ball: the opponent has it
   std::array<std::size_t, kMaxTeamSize> men_{};
   std::size_t count_ = 0;
 };

@@ -197,7 +197,9 @@ RobotCommand School::attack(const Observation& now, std::size_t i, const Style& 
   const Vec2 straight = unitOr(ball - robot.pose.position, {1.0, 0.0});
   const double mine = timeToReach(foresight_.pace(), robot, ball - goal.direction * 0.06);
   const bool at_wall = wallClearance(field(), ball) < info_.ball.radius + kAtWall;
-  if (style.straight && !at_wall && theirTime(now, ball) < mine + kReserve && straight.x > kUpfield) {
+  const bool kick_off = now.restart == RestartKind::kKickOff && now.since_restart < 1.0;
+  if ((style.straight || kick_off) && !at_wall && theirTime(now, ball) < mine + kReserve &&
+      straight.x > kUpfield) {
     goal.direction = straight;
   }
   return drive(now, i, goal);

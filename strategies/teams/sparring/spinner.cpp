@@ -3,7 +3,6 @@
 #include "strategies/interface/team_info.hpp"
 #include "strategies/skills/positions.hpp"
 #include "strategies/teams/sparring/school.hpp"
-#include "strategies/teams/sparring/sparring.hpp"
 
 namespace fulbito::sparring {
 namespace {

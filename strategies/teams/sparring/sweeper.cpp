@@ -5,7 +5,6 @@
 #include "strategies/skills/area_projection.hpp"
 #include "strategies/skills/positions.hpp"
 #include "strategies/teams/sparring/school.hpp"
-#include "strategies/teams/sparring/sparring.hpp"
 
 namespace fulbito::sparring {
 namespace {

@@ -4,7 +4,7 @@
 
 namespace fulbito::libero {
 
-/// Whether the ball is slower than `speed` [m/s] at a wall of the own half, the robot is behind it, and an
+/// Whether the ball is slower than `speed` [m/s] at a wall, the robot is behind it, and an
 /// opponent is within `rival` [m] of it. `rel` [m] is the ball seen from the robot.
 bool isFoughtFor(const Picture& picture, Vec2 rel, const Aim& aim, double speed, double rival);
 

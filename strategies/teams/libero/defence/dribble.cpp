@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/models/field_places.hpp"
+#include "strategies/skills/dribbling.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
 
 namespace fulbito::libero {
@@ -40,19 +41,8 @@ Vec2 wayOf(const Picture& picture, bool pushed) {
 
 }  // namespace
 
-bool opponentDribblesAtGoal(const Picture& picture) {
-  const BallState& ball = picture.ball.now();
-  if (ball.velocity.x > -0.3) return false;
-  for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (!picture.opponentPresent(i)) continue;
-    const Vec2 rel = picture.opponent(i).pose.position - ball.position;
-    if (squaredNorm(rel) < 0.11 * 0.11 && dot(rel, ball.velocity) < 0.0) return true;
-  }
-  return false;
-}
-
 bool canBlockDribble(const Picture& picture, const RobotState& robot) {
-  const bool pushed = opponentDribblesAtGoal(picture);
+  const bool pushed = opponentDribblesAtGoal(picture.seen, picture.ball.now());
   if (!pushed && (picture.pitch.isLarge() || !threatened(picture))) return false;
   if (!picture.pitch.isLarge() && crowded(picture)) return false;
   const Vec2 rel = intoFrame(wayOf(picture, pushed), robot.pose.position - picture.ball.now().position);
@@ -61,7 +51,7 @@ bool canBlockDribble(const Picture& picture, const RobotState& robot) {
 
 Move blockDribble(const Picture& picture, const RobotState& robot) {
   const BallState& ball = picture.ball.now();
-  const bool pushed = opponentDribblesAtGoal(picture);
+  const bool pushed = opponentDribblesAtGoal(picture.seen, picture.ball.now());
   const Vec2 way = wayOf(picture, pushed);
   const Vec2 goal = intoFrame(way, picture.pitch.ownGoal() - ball.position);
   const double lead = std::min(0.3, 0.4 * distance(robot.pose.position, ball.position));

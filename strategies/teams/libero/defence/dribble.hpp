@@ -9,9 +9,6 @@ namespace fulbito::libero {
 /// slips away from the goal.
 inline constexpr double kInner = 0.02;
 
-/// Whether an opponent pushes the ball toward the own goal; its velocity along x is then below -0.3 m/s.
-bool opponentDribblesAtGoal(const Picture& picture);
-
 /// Whether opponents bring the ball toward the own goal and `robot` stands in its way. In three-a-side
 /// matches this is a single opponent that pushes the ball or stands ready to push it. In five-a-side matches
 /// it is any opponent that pushes it.

@@ -8,8 +8,8 @@
 
 namespace fulbito::libero {
 
-inline constexpr double kStands = 1e-9;   ///< [m/s] below this speed braking wheels stand still
-inline constexpr double kReserve = 0.7;   ///< share of its braking that a robot plans with
+inline constexpr double kStands = 1e-9;  ///< [m/s] below this speed braking wheels stand still
+inline constexpr double kReserve = 0.7;  ///< share of its braking that a robot plans with
 
 /// Ticks until a robot that brakes from its top speed rests, after one tick of any command.
 inline int ticksToRest(const Pitch& pitch) {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "fulbito/detail/math.hpp"
-#include "strategies/teams/libero/defence/dribble.hpp"
+#include "strategies/skills/dribbling.hpp"
 #include "strategies/teams/libero/defence/goal_line.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
 
@@ -27,7 +27,7 @@ std::optional<Move> runOut(const Picture& picture, int robot, Memory& /*memory*/
   const double out = ball.position.y >= 0.0 ? 1.0 : -1.0;
   const double y = ball.position.y * out, across = -ball.velocity.y * out;
   if (ball.position.x > -pitch.half_length + kStrip || y < kNearest || y > kFarthest || across < kComing ||
-      !opponentDribblesAtGoal(picture))
+      !opponentDribblesAtGoal(picture.seen, picture.ball.now()))
     return std::nullopt;
   const double before = std::max(0.0, ball.position.x - (line + kRow));
   const double meet = y - across * before / -ball.velocity.x - kRoom;

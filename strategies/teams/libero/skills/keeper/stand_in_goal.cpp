@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "engine/core/models/field_places.hpp"
-#include "strategies/teams/libero/defence/dribble.hpp"
+#include "strategies/skills/dribbling.hpp"
 #include "strategies/teams/libero/defence/goal_line.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 double lead(const Picture& picture, double line) {
   constexpr double kShare = 0.6;    // share of the ball's remaining way across
   constexpr double kLongest = 0.2;  // [s] before the touch
-  if (!opponentDribblesAtGoal(picture)) return 0.0;
+  if (!opponentDribblesAtGoal(picture.seen, picture.ball.now())) return 0.0;
   const Pitch& pitch = picture.pitch;
   const BallState& ball = picture.ball.now();
   const double gap = ball.position.x - (line + pitch.robot_half + pitch.ball_radius);

@@ -13,7 +13,7 @@ std::optional<Move> race(const Picture& picture, int robot, Memory& memory) {
   if (!isFoughtFor(picture, picture.ballFrom(robot), aim, kLies, kRival)) return std::nullopt;
   const Vec2 place = aim.contact - aim.direction * kBehind;
   return Move{.twist = passThrough(picture.own(robot), place, picture.pitch.speed),
-              .reason = "an opponent races for it at our wall",
+              .reason = "an opponent races for it at a wall",
               .ball = aim.contact};
 }
 

@@ -1,9 +1,8 @@
+#include "strategies/skills/wall_play.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
 
 namespace fulbito::libero::striker {
 namespace {
-
-constexpr double kSpinTime = 0.45;  // [s]
 
 Move turning(const Picture& picture, Memory::Spin& spin, const char* reason) {
   constexpr double kYawRate = 28.0;  // [rad/s]
@@ -32,14 +31,15 @@ std::optional<Move> spinOn(const Picture& picture, int /*robot*/, Memory& memory
 std::optional<Move> spin(const Picture& picture, int robot, Memory& memory) {
   constexpr double kUpfield = 0.5;  // [m]
   constexpr double kJammed = 0.35;  // [s]
+  constexpr double kSpins = 0.45;   // [s]
   if (picture.ball.now().position.x <= kUpfield) return std::nullopt;
   const Vec2 rel = picture.ballFrom(robot);
   const Aim& aim = shotOf(picture, robot, memory.shot).aim;
   const bool jammed = memory.press.jammed > kJammed;
   if (memory.spin.locked > 0.0 || (!jammed && !pinned(picture, rel, aim))) return std::nullopt;
   memory.press.jammed = 0.0;
-  memory.spin.left = kSpinTime;
-  memory.spin.sense = cross(rel, aim.direction) >= 0.0 ? 1.0 : -1.0;
+  memory.spin.left = kSpins;
+  memory.spin.sense = spinSense(picture.own(robot).pose.position, picture.ball.now().position, aim.direction);
   return turning(picture, memory.spin, jammed ? "the ball is jammed" : "the ball is pinned at a wall");
 }
 

@@ -20,7 +20,7 @@ std::optional<Move> squeeze(const Picture& picture, int robot, Memory& memory) {
     return std::nullopt;
   const double heading = math::angleOf(rel + aim.direction * kAlong);
   return Move{.twist = alongHeading(picture.own(robot), heading, picture.pitch.speed),
-              .reason = "an opponent fights for it at our wall",
+              .reason = "an opponent fights for it at a wall",
               .ball = picture.ball.now().position};
 }
 
