@@ -57,7 +57,7 @@ RobotCommand LineKeeper::update(const MatchInfo& info, const Foresight& foresigh
   const Vec2 ball = now.ball.position;
   const double depth = info.robot.width / 2 + settings.gap;
   const double side = ball.y >= robot.pose.position.y ? 1.0 : -1.0;
-  const bool in_front = ball.x > robot.pose.position.x - info.ball.radius / 2;
+  const bool in_front = ball.x > robot.pose.position.x - info.ball.radius;
   // Spins send the ball outward and upfield, never across the own mouth.
   SpinSettings spins;
   spins.slow = 0.6, spins.wall = 1.0;
