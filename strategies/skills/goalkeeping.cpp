@@ -61,6 +61,8 @@ RobotCommand LineKeeper::update(const MatchInfo& info, const Foresight& foresigh
   // Spins send the ball outward and upfield, never across the own mouth.
   SpinSettings spins;
   spins.slow = 0.6, spins.wall = 1.0;
+  spins.longest = 1.5, spins.lock_out = 0.1;
+  spins.reach = info.robot.circumradius() + info.ball.radius;
   const auto sense =
       spin_.update(info.field, info.ball.radius, robot, now.ball, {0.5, side}, in_front, now.dt, spins);
   constexpr double kYawRate = 30.0;  // [rad/s] the limiter reduces it to what the robot can
