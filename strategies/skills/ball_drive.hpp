@@ -12,7 +12,7 @@ namespace fulbito {
 struct DriveGoal {
   Vec2 ball;                 ///< [m] its place at the meeting
   Vec2 direction{1.0, 0.0};  ///< unit vector of the wanted strike
-  double bend = 1.5;   ///< [1] turn off the straight way per angle off the direction: above 1 it curves in
+  double bend = 1.0;   ///< [1] turn off the straight way per angle off the direction: above 1 it curves in
   double room = 0.03;  ///< [m] between ball and body on the way round
   double top_speed = std::numeric_limits<double>::infinity();  ///< [m/s]
 };

@@ -57,10 +57,12 @@ RobotCommand LineKeeper::update(const MatchInfo& info, const Foresight& foresigh
   const Vec2 ball = now.ball.position;
   const double depth = info.robot.width / 2 + settings.gap;
   const double side = ball.y >= robot.pose.position.y ? 1.0 : -1.0;
-  const bool in_front = ball.x > robot.pose.position.x - info.ball.radius / 2;
+  const bool in_front = ball.x > robot.pose.position.x - info.ball.radius;
   // Spins send the ball outward and upfield, never across the own mouth.
   SpinSettings spins;
   spins.slow = 0.6, spins.wall = 1.0;
+  spins.longest = 1.5, spins.lock_out = 0.1;
+  spins.reach = info.robot.circumradius() + info.ball.radius;
   const auto sense =
       spin_.update(info.field, info.ball.radius, robot, now.ball, {0.5, side}, in_front, now.dt, spins);
   constexpr double kYawRate = 30.0;  // [rad/s] the limiter reduces it to what the robot can

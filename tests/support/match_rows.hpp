@@ -21,9 +21,10 @@ inline MatchRow matchRow(std::uint64_t number) {
   row.result.score = {static_cast<int>(number % 5), static_cast<int>(number % 7)};
   if (number % 4 != 0) row.result.winner = kTeams[number % 2];
   row.result.goals_after_foul = {static_cast<int>(number % 2), 0};
-  row.result.play = {static_cast<Tick>(number % 1000), static_cast<Tick>(number % 700), 5, {}};
-  row.result.play.teams[0].shots = static_cast<std::int64_t>(number % 30);
-  row.result.play.teams[1].longest_contact = static_cast<Tick>(number % 200);
+  row.result.play = {static_cast<Tick>(18000 + number % 1000), static_cast<Tick>(number % 7000), 5, {}};
+  for (TeamRecord& team : row.result.play.teams) {
+    for (const auto count : kPlayCounts) team.*count = static_cast<Tick>(1 + number % 20000);
+  }
   row.result.ticks = static_cast<Tick>(18000 + number);
   row.result.hash = number * 0xbf58476d1ce4e5b9u;
   row.result.outcome = static_cast<MatchOutcome>(number % 6);

@@ -7,7 +7,7 @@ namespace {
 
 void addTo(TeamRecord& sums, const TeamRecord& match) {
   const Tick longest = std::max(sums.longest_contact, match.longest_contact);
-  for (const PlayCount& entry : kPlayCounts) sums.*entry.count += match.*entry.count;
+  for (const auto count : kPlayCounts) sums.*count += match.*count;
   sums.longest_contact = longest;
 }
 

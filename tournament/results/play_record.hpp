@@ -12,27 +12,13 @@ struct TeamRecord : TeamPlay {
   Tick own_third = 0;  ///< ticks with the ball in its own third
 };
 
-/// A count of a `TeamRecord`, and its key in files.
-struct PlayCount {
-  const char* key;
-  std::int64_t TeamRecord::* count;
-};
-/// All counts, in the order of files.
-inline constexpr PlayCount kPlayCounts[] = {{"shots", &TeamRecord::shots},
-                                            {"shots_on_goal", &TeamRecord::shots_on_goal},
-                                            {"own_goals", &TeamRecord::own_goals},
-                                            {"own_third", &TeamRecord::own_third},
-                                            {"robots", &TeamRecord::robot_ticks},
-                                            {"slow", &TeamRecord::slow_ticks},
-                                            {"field", &TeamRecord::field_ticks},
-                                            {"field_slow", &TeamRecord::field_slow_ticks},
-                                            {"own_half", &TeamRecord::own_half},
-                                            {"keeper_away", &TeamRecord::keeper_away},
-                                            {"uncovered", &TeamRecord::uncovered},
-                                            {"field_uncovered", &TeamRecord::field_uncovered},
-                                            {"locks", &TeamRecord::locks},
-                                            {"long_contacts", &TeamRecord::long_contacts},
-                                            {"longest_contact", &TeamRecord::longest_contact}};
+/// All counts of a `TeamRecord`, in the order of files.
+inline constexpr std::int64_t TeamRecord::* kPlayCounts[] = {
+    &TeamRecord::shots,      &TeamRecord::shots_on_goal,   &TeamRecord::own_goals,
+    &TeamRecord::own_third,  &TeamRecord::own_half,        &TeamRecord::keeper_away,
+    &TeamRecord::uncovered,  &TeamRecord::field_uncovered, &TeamRecord::robot_ticks,
+    &TeamRecord::slow_ticks, &TeamRecord::field_ticks,     &TeamRecord::field_slow_ticks,
+    &TeamRecord::locks,      &TeamRecord::long_contacts,   &TeamRecord::longest_contact};
 
 /// What a result keeps of a match's statistics, or of those of several matches.
 struct PlayRecord {

@@ -28,10 +28,8 @@ std::string storedText(const std::string& text) {
 }
 
 Json playJson(const TeamRecord& record) {
-  Json json = Json::object();
-  for (const PlayCount& entry : kPlayCounts) {
-    if (const std::int64_t count = record.*entry.count; count != 0) json[entry.key] = count;
-  }
+  Json json = Json::array();
+  for (const auto count : kPlayCounts) json.push_back(record.*count);
   return json;
 }
 
@@ -91,7 +89,7 @@ bool sameResult(const MatchResult& a, const MatchResult& b) {
   };
   const auto same_play = [](const TeamRecord& x, const TeamRecord& y) {
     return std::all_of(std::begin(kPlayCounts), std::end(kPlayCounts),
-                       [&](const PlayCount& c) { return x.*c.count == y.*c.count; });
+                       [&](const auto count) { return x.*count == y.*count; });
   };
   const auto same_faults = [](const TeamFaults& x, const TeamFaults& y) {
     return x.forfeited == y.forfeited &&

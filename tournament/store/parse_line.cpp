@@ -26,11 +26,10 @@ std::optional<std::uint64_t> hexValue(std::string_view text) {
 /// 100,000 matches is read in half the time.
 class RowReader final : public nlohmann::json_sax<Json> {
  public:
-  bool key(string_t& name) override { return depth_ == 1 ? rowKey(name) : countKey(name); }
+  bool key(string_t& name) override { return depth_ == 1 ? rowKey(name) : faultKey(name); }
   bool start_object(std::size_t) override {
-    const bool per_team = part_ == row::kFaults || part_ == row::kPlay;
-    const bool is_team = depth_ == 1 && per_team && in_array_ && at_ < kTeams.size();
-    count_ = kNoCount;
+    const bool is_team = depth_ == 1 && part_ == row::kFaults && in_array_ && at_ < kTeams.size();
+    fault_ = kNoFault;
     return ++depth_ == 1 || is_team;
   }
   bool end_object() override {
@@ -38,17 +37,24 @@ class RowReader final : public nlohmann::json_sax<Json> {
     return --depth_ == 1 || part_ == row::kSum;
   }
   bool start_array(std::size_t) override {
-    if (depth_ != 1 || !isArray() || in_array_) return false;
-    return in_array_ = true;
+    if (depth_ != 1 || !isArray()) return false;
+    if (!in_array_) return in_array_ = true;
+    if (part_ != row::kPlay || in_counts_ || at_ >= kTeams.size()) return false;
+    count_ = 0;
+    return in_counts_ = true;
   }
   bool end_array() override {
+    if (in_counts_) {
+      in_counts_ = false;
+      ++at_;
+      return count_ == std::size(kPlayCounts);
+    }
     in_array_ = false;
     return at_ == kTeams.size();
   }
   bool null() override { return depth_ == 1 && part_ == row::kWinner; }
   bool boolean(bool value) override {
-    return faults() != nullptr && part_ == row::kFaults && count_ == kForfeitedAt &&
-           (faults()->forfeited = value);
+    return faults() != nullptr && fault_ == kForfeitedAt && (faults()->forfeited = value);
   }
   // Only scores can be negative, after a walk-over.
   bool number_integer(number_integer_t value) override {
@@ -56,7 +62,7 @@ class RowReader final : public nlohmann::json_sax<Json> {
     return score && set(row_.result.score[at_++], value);
   }
   bool number_unsigned(number_unsigned_t value) override {
-    return depth_ == 2 ? countNumber(value) : rowNumber(value);
+    return depth_ == 2 ? faultNumber(value) : rowNumber(value);
   }
   bool number_float(number_float_t, const string_t&) override { return false; }
   bool string(string_t& text) override { return depth_ == 2 ? faultText(text) : rowText(text); }
@@ -74,7 +80,7 @@ class RowReader final : public nlohmann::json_sax<Json> {
 
  private:
   static constexpr std::size_t kNoPart = static_cast<std::size_t>(-1);
-  static constexpr std::size_t kNoCount = static_cast<std::size_t>(-1);
+  static constexpr std::size_t kNoFault = static_cast<std::size_t>(-1);
   static constexpr std::size_t kFailureAt = std::size(row::kCounts);
   static constexpr std::size_t kForfeitedAt = kFailureAt + 1;
 
@@ -88,39 +94,29 @@ class RowReader final : public nlohmann::json_sax<Json> {
     if (part_ == row::kAbandoned && name != row::kKeys[row::kAbandoned]) ++part_;
     return part_ < std::size(row::kKeys) && name == row::kKeys[part_];
   }
-  /// Keys stand in the order of their table, and each at most once.
-  bool countKey(const string_t& name) {
-    const std::size_t before = count_;
-    const bool known = part_ == row::kPlay ? playKey(name) : faultKey(name);
-    return known && (before == kNoCount || count_ > before);
-  }
-  template <typename Table>
-  static std::size_t placeIn(const Table& table, const string_t& name) {
-    const auto* entry = std::find_if(std::begin(table), std::end(table),
-                                     [&](const auto& count) { return name == count.key; });
-    return static_cast<std::size_t>(entry - std::begin(table));
-  }
-  bool playKey(const string_t& name) {
-    count_ = placeIn(kPlayCounts, name);
-    return count_ < std::size(kPlayCounts);
-  }
   bool faultKey(const string_t& name) {
-    count_ = placeIn(row::kCounts, name);
-    if (count_ == kFailureAt && name == row::kForfeited) count_ = kForfeitedAt;
-    return count_ != kFailureAt || name == row::kFailure;
+    const std::size_t before = fault_;
+    const auto* entry = std::find_if(std::begin(row::kCounts), std::end(row::kCounts),
+                                     [&](const row::FaultCount& c) { return name == c.key; });
+    fault_ = static_cast<std::size_t>(entry - std::begin(row::kCounts));
+    if (fault_ == kFailureAt && name == row::kForfeited) fault_ = kForfeitedAt;
+    const bool known = fault_ != kFailureAt || name == row::kFailure;
+    return known && (before == kNoFault || fault_ > before);
   }
   TeamFaults* faults() { return depth_ == 2 ? &row_.result.faults.teams[at_] : nullptr; }
-  bool countNumber(std::uint64_t value) {
-    if (part_ == row::kPlay) return set(row_.result.play.teams[at_].*kPlayCounts[count_].count, value);
-    return count_ < kFailureAt && set(faults()->*row::kCounts[count_].count, value);
+  bool faultNumber(std::uint64_t value) {
+    return fault_ < kFailureAt && set(faults()->*row::kCounts[fault_].count, value);
   }
   bool faultText(string_t& text) {
-    if (part_ != row::kFaults || count_ != kFailureAt) return false;
+    if (fault_ != kFailureAt) return false;
     faults()->failure = std::move(text);
     return true;
   }
   bool rowNumber(std::uint64_t value) {
     MatchResult& result = row_.result;
+    if (in_counts_) {
+      return count_ < std::size(kPlayCounts) && set(result.play.teams[at_].*kPlayCounts[count_++], value);
+    }
     if (in_array_ != isArray() || at_ >= kTeams.size()) return false;
     if (part_ == row::kSeed) return set(row_.seed, value);
     if (part_ == row::kPlayTicks) return set(result.play.play_ticks, value);
@@ -177,9 +173,11 @@ class RowReader final : public nlohmann::json_sax<Json> {
   }
 
   MatchRow row_;
-  std::size_t depth_ = 0, part_ = kNoPart, count_ = kNoCount;
+  std::size_t depth_ = 0, part_ = kNoPart, fault_ = kNoFault;
   std::size_t at_ = 0;  ///< index of the next element in the present array
   bool in_array_ = false;
+  std::size_t count_ = 0;   ///< index of the next count of a team's play
+  bool in_counts_ = false;  ///< in the array of these counts
 };
 
 }  // namespace

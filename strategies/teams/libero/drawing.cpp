@@ -9,11 +9,9 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kPlace = 0.015;  // [m] radius of the mark of a robot's target
-
 /// Draws the predicted course of the ball, one line for each straight stretch.
 void drawBall(const Picture& picture, std::vector<DebugDrawing>& drawings) {
-  constexpr double kStraight = 2e-3;  // [m]
+  constexpr double kStraight = 2e-3;  // [m] resolution of drawings
   const BallForecast& ball = picture.ball;
   if (ball.resting()) return;
   Vec2 from = ball.sample(0), to = ball.sample(1);
@@ -41,10 +39,11 @@ const char* nameOf(Role role) {
   return "support";
 }
 
-void drawMove(Vec2 robot, Role role, const Move& move, std::vector<DebugDrawing>& drawings) {
+void drawMove(const Pitch& pitch, Vec2 robot, Role role, const Move& move,
+              std::vector<DebugDrawing>& drawings) {
   Vec2 from = robot;
   if (move.place) {
-    addCircle(drawings, *move.place, kPlace);
+    addCircle(drawings, *move.place, pitch.ball_radius);
     // The keeper is nearly always at its place: a line there says nothing.
     if (role != Role::kKeeper) addLine(drawings, from, *move.place);
     from = *move.place;
@@ -55,7 +54,7 @@ void drawMove(Vec2 robot, Role role, const Move& move, std::vector<DebugDrawing>
   }
   if (move.target) {
     addLine(drawings, from, *move.target);
-    addCircle(drawings, *move.target, kPlace);
+    addCircle(drawings, *move.target, pitch.ball_radius);
   }
   addName(drawings, robot, fmt::format("{}: {}", nameOf(role), move.skill).c_str());
   addRemark(drawings, robot, move.reason);
@@ -68,7 +67,8 @@ void draw(const Picture& picture, const Roles& roles, std::span<const Move> move
   drawBall(picture, drawings);
   for (int i = 0; i < picture.seen.team_size; ++i) {
     const auto robot = static_cast<std::size_t>(i);
-    if (picture.ownPresent(i)) drawMove(picture.own(i).pose.position, roles.of(i), moves[robot], drawings);
+    if (picture.ownPresent(i))
+      drawMove(picture.pitch, picture.own(i).pose.position, roles.of(i), moves[robot], drawings);
   }
 }
 

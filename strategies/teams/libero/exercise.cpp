@@ -16,9 +16,9 @@ Twist turnFrontTo(const Pitch& pitch, const RobotState& robot, double heading) {
 
 /// Drives straight with the ball at the front. It holds the heading instead of steering at the ball, so that
 /// the ball's sideways speed stays (docs/skills.md, Pushing).
-Twist push(const RobotState& robot, const Exercise& exercise) {
+Twist push(const Pitch& pitch, const RobotState& robot, const Exercise& exercise) {
   const double error = math::wrapAngle(exercise.heading - robot.pose.heading);
-  return {exercise.speed, 10.0 * error};
+  return {exercise.speed, pitch.tuning.push_gain * error};
 }
 
 /// Waits behind the ball until the robot is aligned, then drives at it: slower than in play, and more
@@ -27,15 +27,19 @@ Twist runUp(const Pitch& pitch, const RobotState& robot, Vec2 ball, double along
   const Vec2 direction = math::unit(along);
   const Vec2 local = intoFrame(direction, robot.pose.position - ball);
   const double skew = std::abs(foldedError(along, robot.pose.heading));
-  if (local.x < -0.10 && std::abs(local.y) < 0.006 && skew < 0.08) memory.runs_up = true;
+  const double exact = pitch.tuning.clearance, behind = pitch.touch + pitch.ball_radius;
+  if (local.x < -behind && std::abs(local.y) < exact / 2 && skew < pitch.tuning.lean / 2)
+    memory.runs_up = true;
   if (memory.runs_up) {
-    return alongHeading(robot, along - std::clamp(6.0 * local.y, -0.2, 0.2), pitch.speed);
+    const double aside = std::clamp(local.y / pitch.around, -pitch.tuning.lean, pitch.tuning.lean);
+    return alongHeading(pitch, robot, along - aside, pitch.speed);
   }
-  if (local.x > -0.09) {
-    const double heading = approachHeading(robot.pose.position, ball, along, 0.13, 3.0, memory.side);
-    return alongHeading(robot, heading, pitch.speed);
+  if (local.x > -roundRadius(pitch)) {
+    const double heading =
+        approachHeading(pitch, robot.pose.position, ball, along, pitch.touch + pitch.front, memory.side);
+    return alongHeading(pitch, robot, heading, pitch.speed);
   }
-  return restAt(pitch, robot, ball - direction * 0.16, along, 0.008);
+  return restAt(pitch, robot, ball - direction * (pitch.bodies + pitch.front), along, exact);
 }
 
 }  // namespace
@@ -44,13 +48,13 @@ Twist exerciseTwist(const Pitch& pitch, const RobotState& robot, Vec2 ball, cons
                     ExerciseMemory& memory) {
   switch (exercise.kind) {
     case Exercise::Kind::kReachPose:
-      return restAt(pitch, robot, exercise.target, exercise.heading, 0.012);
+      return restAt(pitch, robot, exercise.target, exercise.heading, pitch.tuning.clearance);
     case Exercise::Kind::kTurn:
       return turnFrontTo(pitch, robot, exercise.heading);
     case Exercise::Kind::kReachBall:
       return runUp(pitch, robot, ball, exercise.heading, memory);
     case Exercise::Kind::kPush:
-      return push(robot, exercise);
+      return push(pitch, robot, exercise);
     case Exercise::Kind::kPredictBall:
       break;
   }

@@ -38,7 +38,7 @@ RobotCommand legal(const Picture& picture, int robot, Twist wanted) {
     return clearOfMates(picture, robot, wanted).value_or(RobotCommand::byTwist(wanted));
   const Pitch& pitch = picture.pitch;
   // A free ball lies at the area's edge, and a robot that avoids the edge would come late.
-  if (robot == picture.striker && disputesFreeBall(picture.seen) && !picture.keepers_ball)
+  if (robot == picture.striker && disputesFreeBall(picture) && !picture.keepers_ball)
     return clearOfKeeper(picture, robot, wanted).value_or(RobotCommand::byTwist(wanted));
   // In five-a-side matches a second attacker in their area gains more than the resulting goal kicks cost.
   const bool theirs = !pitch.isLarge() && (robot != picture.striker || mateIsIn(picture));

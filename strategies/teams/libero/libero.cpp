@@ -12,6 +12,7 @@
 #include "strategies/teams/libero/playbook/playbook.hpp"
 #include "strategies/teams/libero/restarts.hpp"
 #include "strategies/teams/libero/roles.hpp"
+#include "strategies/teams/libero/situation/tuning.hpp"
 
 namespace fulbito {
 namespace {
@@ -20,15 +21,15 @@ using namespace libero;
 
 class Libero final : public Strategy {
  public:
-  Libero(Settings settings, PlayBook play_book, std::optional<NavigatorChoice> navigator)
-      : settings_(settings), play_book_(std::move(play_book)) {
+  Libero(const Tuning& tuning, PlayBook play_book, std::optional<NavigatorChoice> navigator)
+      : tuning_(tuning), play_book_(std::move(play_book)) {
     if (navigator) navigators_.push_back(std::move(*navigator));
   }
 
   std::span<const NavigatorChoice> navigators() const override { return navigators_; }
 
   void begin(const MatchInfo& info) override {
-    pitch_ = Pitch(info);
+    pitch_ = Pitch(info, tuning_);
     foresight_ = Foresight(info);
     forgetStriker();
     exercise_ = {};
@@ -48,7 +49,7 @@ class Libero final : public Strategy {
     // Before the signal no robot can move, so standing still does not mean that it presses or is caught.
     if (!now.playing) memories_ = {};
     watchTouches(now);
-    Picture picture{now, pitch_, settings_, ball_, stuck_, dispute_left_};
+    Picture picture{now, pitch_, ball_, stuck_, dispute_left_};
     if (roles_.choose(picture) && picture.striker >= 0)
       memories_[static_cast<std::size_t>(picture.striker)] = {};
     TeamCommand command;
@@ -84,10 +85,9 @@ class Libero final : public Strategy {
 
   /// Measures how long the ball has stayed within a small circle.
   void watchStuck(const Observation& seen) {
-    constexpr double kCircle = 0.10;  // [m]
     stuck_ += seen.dt;
     if (seen.playing && !foresight_.playBegan() &&
-        squaredNorm(seen.ball.position - stuck_at_) < kCircle * kCircle)
+        squaredNorm(seen.ball.position - stuck_at_) < pitch_.stuck_radius * pitch_.stuck_radius)
       return;
     stuck_at_ = seen.ball.position;
     stuck_ = 0.0;
@@ -114,7 +114,7 @@ class Libero final : public Strategy {
     const auto i = static_cast<std::size_t>(robot);
     moves_[i] = play_book_.decide(roles_.of(robot), picture, robot, memories_[i]);
     const Move& move = moves_[i];
-    const bool far = move.place && distance(picture.own(robot).pose.position, *move.place) > 0.1;
+    const bool far = move.place && distance(picture.own(robot).pose.position, *move.place) > pitch_.bodies;
     if (navigators_.empty() || !move.travels || !far) return legal(picture, robot, move.twist);
     GoTo go_to;
     go_to.position = *move.place;
@@ -123,7 +123,7 @@ class Libero final : public Strategy {
     return RobotCommand::drivingTo(go_to);
   }
 
-  Settings settings_;
+  Tuning tuning_;
   Pitch pitch_;
   // at most one, for robots without the ball; empty: the team's own skills drive
   std::vector<NavigatorChoice> navigators_;
@@ -158,9 +158,7 @@ Result<PlayBook> takePlayBook(std::vector<Setting>& settings) {
 }  // namespace
 
 TeamInfo liberoInfo() {
-  const std::vector<Parameter<Settings>> parameters = {
-      number("aggression", &Settings::aggression, 0.0, 1.0, "",
-             "how early the support goes forward: 0 only when the ball is deep in their half")};
+  const std::vector<Parameter<Tuning>> parameters = tuningParameters();
   TeamInfo info{"libero",
                 "the flagship: striker, support and keeper who read the game",
                 specsOf(parameters),
@@ -181,7 +179,7 @@ TeamInfo liberoInfo() {
     }
     auto play_book = takePlayBook(settings);
     if (!play_book) return tl::unexpected<Error>(play_book.error());
-    Settings values;
+    Tuning values;
     if (auto done =
             applySettings(parameters, settings, "libero", values, {kNavigatorSetting, kWithoutSetting});
         !done) {

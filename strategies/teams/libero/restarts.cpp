@@ -4,19 +4,24 @@
 #include <cmath>
 
 #include "fulbito/detail/math.hpp"
+#include "strategies/teams/libero/defence/goal_line.hpp"
 
 namespace fulbito::libero {
 namespace {
 
-constexpr double kBehind = 0.085;  // [m] from the ball's centre to the taker's centre behind it
+/// [m] from the ball's centre to the taker's centre behind it.
+double runUp(const Pitch& pitch) { return pitch.touch + pitch.tuning.clearance; }
 
 Pose2 facing(Vec2 from, Vec2 to) { return {from, math::wrapAngle(math::angleOf(to - from))}; }
 
 /// The keeper in the middle of its line and parallel to it.
-Pose2 keeperPose(const Pitch& pitch) { return {{-pitch.half_length + 0.042, 0.0}, math::kPi / 2}; }
+Pose2 keeperPose(const Pitch& pitch) { return {{keeperLine(pitch), 0.0}, math::kPi / 2}; }
+
+/// The greatest x [m] at which the whole body is in the own half.
+double ownLine(const Pitch& pitch) { return -pitch.robot_corner - pitch.tuning.clearance; }
 
 /// `p` moved so that the whole body is in the own half.
-Vec2 ownHalf(const Pitch& pitch, Vec2 p) { return {std::min(p.x, -pitch.robot_corner - 0.001), p.y}; }
+Vec2 ownHalf(const Pitch& pitch, Vec2 p) { return {std::min(p.x, ownLine(pitch)), p.y}; }
 
 /// The position of the opponent that takes the restart: the one nearest to the ball.
 std::optional<Vec2> takerOf(const PlacementRequest& request) {
@@ -34,50 +39,51 @@ void kickOff(const Pitch& pitch, const PlacementRequest& request, double hand, T
   // In five-a-side matches the rules place robots on one side. Robots that stay at those places decide the
   // side.
   if (placed[2] && placed[2]->position.y != 0.0) hand = std::copysign(1.0, placed[2]->position.y);
-  const double far = 0.05 + pitch.robot_corner;
+  const double circle = pitch.field.centre_circle_radius, wide = pitch.half_width / 2;
+  const double turn = pitch.tuning.kick_off_turn;
   if (request.ours) {
     // The ball goes past opponents that run straight at it, off the middle, toward the support's side.
-    const double angle = 0.6;
-    placed[1] = facing(-kBehind * math::unit(-hand * angle), {});
-    placed[2] = facing({-far, -0.30 * hand}, {0.4, -0.3 * hand});
+    placed[1] = facing(-runUp(pitch) * math::unit(-hand * turn), {});
+    placed[2] = facing({ownLine(pitch) - pitch.front, -wide * hand}, {circle, -wide * hand});
   } else if (pitch.isLarge()) {
     // The robot meets the ball from the side, so that a ball pushed straight on leaves its face toward the
     // support.
-    const double angle = 0.5;
-    placed[1] = facing(-(pitch.field.centre_circle_radius + 0.045) * math::unit(-hand * angle), {});
-    placed[2] = facing({-pitch.field.centre_circle_radius - 0.02, -0.26 * hand}, {});
+    placed[1] = facing(-(circle + pitch.robot_corner) * math::unit(-hand * turn), {});
+    placed[2] = facing({-circle - pitch.ball_radius, -(circle + pitch.front) * hand}, {});
   } else {
     // The robot stands beside the line of the kick, which the taker's place shows. There the ball leaves its
     // face toward the support. It meets a straight kick from farther aside.
-    const Vec2 taker = takerOf(request).value_or(Vec2{pitch.field.centre_circle_radius, 0.0});
+    const Vec2 taker = takerOf(request).value_or(Vec2{circle, 0.0});
     const double line = math::angleOf(taker);
-    const bool straight = std::abs(line) < 0.2;
-    const double turn = std::abs(line) > 0.02 ? std::copysign(1.0, line) : hand;
-    const Vec2 meeter = math::unit(line - turn * (straight ? 1.05 : 0.5));
-    const Vec2 support = math::unit(line + turn * 0.87);
-    placed[1] =
-        facing(ownHalf(pitch, -(pitch.field.centre_circle_radius + (straight ? 0.04 : 0.001)) * meeter), {});
-    placed[2] =
-        facing(ownHalf(pitch, -(pitch.field.centre_circle_radius + (straight ? 0.25 : 0.14)) * support), {});
+    const bool straight = std::abs(line) < pitch.tuning.lean;
+    const double side = std::abs(taker.y) > pitch.tuning.clearance ? std::copysign(1.0, line) : hand;
+    const Vec2 meeter = math::unit(line - side * (straight ? 2 * turn : turn));
+    const Vec2 support = math::unit(line + side * 2 * turn);
+    const double off = straight ? pitch.robot_half : pitch.tuning.clearance;
+    placed[1] = facing(ownHalf(pitch, -(circle + off) * meeter), {});
+    placed[2] = facing(ownHalf(pitch, -(circle + (straight ? 2 : 1) * pitch.around) * support), {});
   }
 }
 
 void goalKick(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
-  const double side = std::copysign(1.0, ball.y);
+  const double side = std::copysign(1.0, ball.y), gap = pitch.tuning.clearance;
   if (ours) {
-    const double aside = std::min(std::abs(ball.y) - 0.03, pitch.area_half - pitch.robot_corner - 0.003);
-    placed[0] = facing({ball.x - kBehind, side * aside}, ball);
-    placed[1] = facing({ball.x + 0.25, std::copysign(pitch.half_width - 0.12, side)},
+    const double aside =
+        std::min(std::abs(ball.y) - pitch.ball_radius - gap, pitch.area_half - pitch.robot_corner - gap);
+    placed[0] = facing({ball.x - runUp(pitch), side * aside}, ball);
+    placed[1] = facing({ball.x + 2 * pitch.around, std::copysign(pitch.half_width - pitch.around, side)},
                        {0.0, std::copysign(pitch.half_width, side)});
-    placed[2] = facing({-pitch.half_length + 0.30, 0.0}, ball);
+    const double area = pitch.field.goal_area_depth + pitch.field.goal_area_arc_depth;
+    placed[2] = facing({-pitch.half_length + area + pitch.bodies, 0.0}, ball);
   } else {
     // The robots stand in the own half, as near to the ball as allowed. Robot 1 is in the way of a straight
     // kick, slightly inside, so that the ball goes out to the side wall. In five-a-side matches it stands
     // where the ball comes out along the side wall. Robot 2 is in front of the own goal.
-    const double line = -pitch.robot_corner - 0.001;
-    const double way = pitch.isLarge() ? side * (pitch.half_width - 0.20) : ball.y - side * 0.05;
+    const double line = ownLine(pitch);
+    const double way =
+        pitch.isLarge() ? side * (pitch.half_width - 2 * pitch.bodies) : ball.y - side * pitch.robot_corner;
     placed[1] = facing({line, way}, ball);
-    placed[2] = facing({line - 0.15, side * 0.10}, ball);
+    placed[2] = facing({line - pitch.around, side * pitch.bodies}, ball);
   }
 }
 
@@ -87,17 +93,16 @@ void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
     // the support's side lets the ball slip past the keeper there. The places of the rules are mirrored
     // between the sides, not rotated, and this one follows them.
     const double hand = placed[2] && placed[2]->position.y < 0.0 ? -1.0 : 1.0;
-    const bool large = pitch.isLarge();
-    const double run_up = large ? 0.33 : 0.30, angle = large ? 0.03 : 0.10;
-    placed[1] = facing(ball - run_up * math::unit(hand * angle), ball);
-    placed[2] = facing({-0.06, hand * 0.35}, ball);
+    placed[1] = facing(ball - pitch.tuning.run_up * math::unit(hand * pitch.tuning.lean / 2), ball);
+    placed[2] = facing({ownLine(pitch), hand * pitch.half_width / 2}, ball);
   } else {
     const double hand = placed[1] && placed[1]->position.y < 0.0 ? -1.0 : 1.0;
-    placed[0] = Pose2{{-pitch.half_length + pitch.robot_half, hand * 0.06}, 0.0};
+    placed[0] = Pose2{{-pitch.half_length + pitch.robot_half, hand * pitch.front}, 0.0};
     // Wide, out of the way of opponents that run at the ball: they would push the robots into the area.
-    constexpr double kWide[] = {-0.55, 0.55, -0.27, 0.27};
+    const double wide = pitch.half_width - pitch.bodies;
+    const double places[] = {-wide, wide, -wide / 2, wide / 2};
     for (std::size_t i = 1; i < std::min<std::size_t>(5, static_cast<std::size_t>(pitch.team_size)); ++i) {
-      placed[i] = facing({0.06, hand * kWide[i - 1]}, ball);
+      placed[i] = facing({-ownLine(pitch), hand * places[i - 1]}, ball);
     }
   }
 }

@@ -36,15 +36,15 @@ class Dribbler final : public School {
     const Vec2 ball = now.ball.position;
     const double wall = field().width / 2 - info().ball.radius;
     Style style;
-    const bool at_mouth = std::abs(ball.y) < field().goal_width / 2 && ball.x > field().length / 6;
-    // Upfield to the wall at a flat angle; what lies before the goal is shot at it.
+    const bool at_mouth = std::abs(ball.y) < field().goal_width / 2 && ball.x > field().length / 4;
+    // Upfield to the wall; what lies before the goal is shot at it.
     if (!at_mouth)
       style.toward =
-          Vec2{std::min(ball.x + 2.0 * (wall - side * ball.y) + 0.1, field().length / 2), side * wall};
+          Vec2{std::min(ball.x + 0.8 * (wall - side * ball.y) + 0.1, field().length / 2), side * wall};
     // A spin would lose the ball that the wall holds; in the corner it turns it round.
     const bool in_corner = ball.x > field().length / 2 - 0.12;
     style.spins.reach = in_corner ? style.spins.reach : 0.0;
-    style.straight = ball.x < 0.0;
+    style.straight = false;
     return attack(now, i, style);
   }
 };

@@ -25,7 +25,7 @@ class Kicker final : public School {
       if (ball.x < 0.0)
         style.toward =
             Vec2{field().length / 2, std::clamp(1.5 * ball.y, -0.4 * field().width, 0.4 * field().width)};
-      style.bend = 1.2;
+      style.bend = 0.8;
       style.room = 0.05;
       return attack(now, i, style);
     }

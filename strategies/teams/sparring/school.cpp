@@ -43,7 +43,7 @@ double School::theirTime(const Observation& now, Vec2 place) const {
 }
 
 double School::cost(const Observation& now, std::size_t i) const {
-  constexpr double kAhead = 0.3;  // [s] a robot ahead of the ball first has to come round
+  constexpr double kAhead = 0.6;  // [s] a robot ahead of the ball first has to come round
   const RobotState& robot = now.own[i].state;
   const auto met = intercept(foresight_.ball(), foresight_.pace(), robot);
   return (met ? met->time : 10.0) + (robot.pose.position.x > now.ball.position.x ? kAhead : 0.0);
@@ -193,7 +193,7 @@ RobotCommand School::attack(const Observation& now, std::size_t i, const Style& 
   DriveGoal goal{ball, direction(ball), style.bend, style.room};
   if (const auto turn = spin(now, i, goal.direction, style.spins)) return *turn;
   // A ball that an opponent reaches first is hit straight, if that sends it upfield.
-  constexpr double kReserve = 0.1, kUpfield = 0.3;  // [s], [1]
+  constexpr double kReserve = 0.2, kUpfield = 0.0;  // [s], [1]
   const Vec2 straight = unitOr(ball - robot.pose.position, {1.0, 0.0});
   const double mine = timeToReach(foresight_.pace(), robot, ball - goal.direction * 0.06);
   const bool at_wall = wallClearance(field(), ball) < info_.ball.radius + kAtWall;

@@ -46,7 +46,7 @@ class School : public Strategy {
   /// How a robot attacks the ball.
   struct Style {
     std::optional<Vec2> toward;  ///< [m] target of the ball; empty: `wanted`
-    double bend = 1.5;           ///< as in `DriveGoal`
+    double bend = 1.0;           ///< as in `DriveGoal`
     double room = 0.03;          ///< [m] as in `DriveGoal`
     bool straight = true;     ///< a ball that an opponent reaches first is hit straight, if that is upfield
     SpinSettings spins = {};  ///< when it spins

@@ -10,8 +10,6 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kIntoWall = 0.15;  // [rad] turn toward the wall, which keeps the ball in front
-
 /// Direction along a wall: upfield at side walls, toward the opponents' goal at their end, away from the own
 /// goal at the own end.
 Vec2 wayAlong(Vec2 normal, Vec2 ball) {
@@ -25,12 +23,10 @@ Vec2 wayAlong(Vec2 normal, Vec2 ball) {
 /// from it would need a strike that turns the robot away from the ball's direction, so that it slides past
 /// the ball.
 std::optional<double> rollsAt(const Picture& picture, Vec2 from, double edge) {
-  constexpr double kRolls = 0.25;   // [m/s] the direction of a slower ball does not matter
-  constexpr double kToward = 0.1;   // [m/s] least upfield speed
-  constexpr double kInside = 0.02;  // [m] kept from the edge, since strikes are not exact
+  const double rolls = picture.tuning.rolls;
   const Vec2 velocity = picture.ball.now().velocity;
-  if (velocity.x < kToward || squaredNorm(velocity) < kRolls * kRolls) return std::nullopt;
-  const double most = edge - kInside;
+  if (velocity.x < rolls / 2 || squaredNorm(velocity) < rolls * rolls) return std::nullopt;
+  const double most = edge - picture.tuning.clearance;
   const double y = from.y + (picture.pitch.half_length - from.x) * velocity.y / velocity.x;
   if (std::abs(y) > 2.0 * picture.pitch.goal_half) return std::nullopt;
   return std::clamp(y, -most, most);
@@ -40,29 +36,28 @@ std::optional<double> rollsAt(const Picture& picture, Vec2 from, double edge) {
 
 double openMouth(const Picture& picture, Vec2 from, double shooter_y, double last) {
   const Pitch& pitch = picture.pitch;
-  const double edge = pitch.goal_half - pitch.ball_radius - 0.015;
+  const double edge = pitch.goal_half - pitch.ball_radius - picture.tuning.clearance;
   const double line = pitch.half_length;
   // Of equally good targets the first one wins: on the other side of the ball than the shooter, which at a
   // kick-off already stands at an angle.
   const double first = shooter_y >= from.y ? -1.0 : 1.0;
-  constexpr double kTurned = 0.3;  // [m] of gap, as a price per m off the ball's own course
   const std::optional<double> rolls_at = rollsAt(picture, from, edge);
   double best = 0.0, best_score = -1e9;
   for (int i = 0; i < (rolls_at ? 8 : 7); ++i) {
-    const double y = i == 7 ? *rolls_at : first * edge * (3 - i) / 3.0;
+    const double y = i == 7 ? *rolls_at : first * edge * (3 - i) / 3;
     const Vec2 way = Vec2{line, y} - from;
     const double length = norm(way);
-    const Vec2 to = way / std::max(length, 1e-6);
-    double score = 0.10;  // [m] wider gaps are not better
+    const Vec2 to = way / std::max(length, 1e-9);
+    double score = pitch.bodies;  // wider gaps are not better
     for (int j = 0; j < picture.seen.team_size; ++j) {
       if (!picture.opponentPresent(j)) continue;
       const Vec2 rel = intoFrame(to, picture.opponent(j).pose.position - from);
-      if (rel.x < 0.0 || rel.x > length + 0.05) continue;
-      score = std::min(score, std::abs(rel.y) - 0.06);
+      if (rel.x < 0.0 || rel.x > length + pitch.robot_corner) continue;
+      score = std::min(score, std::abs(rel.y) - pitch.front);
     }
-    score -= 0.06 * std::abs(y);
-    if (rolls_at) score -= kTurned * std::abs(y - *rolls_at);
-    if (std::abs(y - last) < 0.02) score += 0.02;
+    score -= picture.tuning.middle_price * std::abs(y);
+    if (rolls_at) score -= picture.tuning.course_price * std::abs(y - *rolls_at);
+    if (std::abs(y - last) < pitch.ball_radius) score += pitch.ball_radius;
     if (score > best_score) best_score = score, best = y;
   }
   return best;
@@ -70,14 +65,14 @@ double openMouth(const Picture& picture, Vec2 from, double shooter_y, double las
 
 Aim aimAt(const Pitch& pitch, Vec2 ball, Vec2 target) {
   Aim aim{ball, unitOr(target - ball, {1.0, 0.0}), false};
-  const double room = pitch.ball_radius + 0.03;
   // In front of a goal mouth there is no wall.
-  if (std::abs(ball.y) <= pitch.goal_half || wallClearance(pitch.field, ball) > room) return aim;
+  if (std::abs(ball.y) <= pitch.goal_half || wallClearance(pitch.field, ball) > pitch.robot_corner)
+    return aim;
   const Vec2 normal = nearestWallNormal(pitch.field, ball);
-  if (dot(aim.direction, normal) < -0.1) return aim;
+  if (dot(aim.direction, normal) < -pitch.tuning.lean) return aim;
   const Vec2 along = wayAlong(normal, ball);
-  aim.direction = unitOr(along - normal * kIntoWall, along);
-  aim.contact = insideWalls(pitch.field, ball, pitch.robot_half + 0.003);
+  aim.direction = unitOr(along - normal * pitch.tuning.lean, along);
+  aim.contact = insideWalls(pitch.field, ball, pitch.robot_half);
   aim.wall = true;
   return aim;
 }

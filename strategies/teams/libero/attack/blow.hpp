@@ -8,7 +8,7 @@ namespace fulbito::libero {
 /// as a robot at `robot` can be in place for it. Driving round a ball that rolls across takes a second, and
 /// the ball is gone by then. In that case the strike turns toward the robot's own way to the ball, if that
 /// leads upfield.
-Vec2 blowInTime(Vec2 robot, const Aim& aim, Vec2 moving);
+Vec2 blowInTime(const Pitch& pitch, Vec2 robot, const Aim& aim, Vec2 moving);
 
 /// The strike direction nearest to the aim's whose run-up and exit are free of bodies and walls. `previous`
 /// is the index of the last tick's choice, which is preferred; the call updates it.

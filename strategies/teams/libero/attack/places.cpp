@@ -54,7 +54,7 @@ Twist twistTo(const Picture& picture, int robot, Vec2 place) {
   const Vec2 ball = picture.ball.now().position;
   if (d < 0.03) return restAt(picture.pitch, self, place, math::angleOf(ball - self.pose.position), 0.04);
   const double speed = std::min(picture.pitch.speed, stoppingSpeed(0.7 * picture.pitch.braking, d));
-  return alongHeading(self, headingRound(picture, robot, place), speed);
+  return alongHeading(picture.pitch, self, headingRound(picture, robot, place), speed);
 }
 
 }  // namespace

@@ -3,38 +3,36 @@
 #include <cmath>
 
 #include "fulbito/detail/math.hpp"
-#include "strategies/teams/libero/defence/dribble.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
 
 namespace fulbito::libero {
 
-bool disputesFreeBall(const Observation& seen) {
-  return seen.restart == RestartKind::kFreeBall && seen.since_restart < kDispute;
+bool disputesFreeBall(const Picture& picture) {
+  return picture.seen.restart == RestartKind::kFreeBall &&
+         picture.seen.since_restart < picture.tuning.patience;
 }
 
 Vec2 firstTouch(const Picture& picture) {
   const Vec2 ball = picture.ball.now().position;
   if (picture.seen.restart != RestartKind::kFreeBall || !picture.pitch.isLarge()) return ball;
-  return ball - Vec2{0.0, std::copysign(kInner, ball.y)};
+  return ball - Vec2{0.0, std::copysign(picture.pitch.ball_radius, ball.y)};
 }
 
 void watchJam(const Picture& picture, int robot, PressMemory& memory) {
-  constexpr double kBallLies = 0.08, kRobotStands = 0.12;  // [m/s]
-  const bool slow = squaredNorm(picture.ball.now().velocity) < kBallLies * kBallLies &&
-                    squaredNorm(picture.own(robot).velocity) < kRobotStands * kRobotStands;
-  const bool near = squaredNorm(picture.ballFrom(robot)) < kTouch * kTouch;
-  memory.jammed = slow && near ? memory.jammed + picture.seen.dt : 0.0;
+  const double slow = picture.tuning.lies / 2, touch = picture.pitch.touch;
+  const bool stand = squaredNorm(picture.ball.now().velocity) < slow * slow &&
+                     squaredNorm(picture.own(robot).velocity) < slow * slow;
+  const bool near = squaredNorm(picture.ballFrom(robot)) < touch * touch;
+  memory.jammed = stand && near ? memory.jammed + picture.seen.dt : 0.0;
 }
 
 Twist pressOn(const Picture& picture, int robot, PressMemory& memory) {
-  constexpr double kPinched = 0.3;    // [s] of pressing, after which the robot lets the ball slip out
-  constexpr double kSlip = 0.3;       // [s] time that the robot lets it slip
-  constexpr double kSlipTurn = 0.15;  // [rad] turn of the face; at 0.25 the opponent gets the ball
   const RobotState& self = picture.own(robot);
-  memory.slipping = memory.jammed > kPinched ? kSlip : memory.slipping - picture.seen.dt;
-  if (memory.slipping <= 0.0) return passThrough(self, firstTouch(picture), picture.pitch.speed);
-  const double out = std::copysign(kSlipTurn, picture.ball.now().position.y);
-  return alongHeading(self, math::angleOf(picture.ballFrom(robot)) + out, picture.pitch.speed);
+  memory.slipping =
+      memory.jammed > picture.tuning.jam_time ? picture.tuning.jam_time : memory.slipping - picture.seen.dt;
+  if (memory.slipping <= 0.0) return passThrough(picture.pitch, self, firstTouch(picture));
+  const double out = std::copysign(picture.tuning.lean, picture.ball.now().position.y);
+  return alongHeading(picture.pitch, self, math::angleOf(picture.ballFrom(robot)) + out, picture.pitch.speed);
 }
 
 }  // namespace fulbito::libero

@@ -4,11 +4,6 @@
 
 namespace fulbito::libero {
 
-/// [m] between the centres of robot and ball that about touch.
-inline constexpr double kTouch = 0.075;
-/// [s] after a restart in which a free ball or a penalty is still disputed.
-inline constexpr double kDispute = 2.0;
-
 /// What a robot that presses remembers between ticks.
 struct PressMemory {
   double jammed = 0.0;    ///< [s] time that robot and ball have pressed on something without motion
@@ -16,7 +11,7 @@ struct PressMemory {
 };
 
 /// Whether a free ball is still disputed. Then its taker only drives at the ball.
-bool disputesFreeBall(const Observation& seen);
+bool disputesFreeBall(const Picture& picture);
 
 /// The wanted point [m] of the first touch. In five-a-side matches a free ball is met on its inner side.
 /// There it slips out between the two robots toward the side wall, away from the own goal.

@@ -58,7 +58,7 @@ Move blockDribble(const Picture& picture, const RobotState& robot) {
   const double inner = pushed ? std::copysign(kInner, goal.y) : 0.0;
   const Vec2 to = ball.position + outOfFrame(way, {lead, inner});
   return {
-      .twist = passThrough(robot, to, picture.pitch.speed),
+      .twist = passThrough(picture.pitch, robot, to),
       .reason = pushed ? "an opponent dribbles at our goal" : "an opponent is about to dribble at our goal",
       .place = to};
 }

@@ -64,7 +64,8 @@ Twist slideTo(const Picture& picture, const RobotState& self, double line, doubl
     return {std::copysign(1.0, self.pose.heading) * std::clamp(15.0 * ahead, -pitch.speed, pitch.speed),
             std::clamp(12.0 * foldedError(along, self.pose.heading), -8.0, 8.0)};
   }
-  if (std::abs(dx) > 0.06 || std::abs(dy) > 0.35) return restAt(pitch, self, {line, y}, math::kPi / 2);
+  if (std::abs(dx) > 0.06 || std::abs(dy) > 0.35)
+    return restAt(pitch, self, {line, y}, math::kPi / 2, pitch.ball_radius);
   return alongLine(self, line, std::copysign(std::min(pitch.speed, stoppableSpeed(pitch, dy, 20.0)), dy));
 }
 

@@ -4,13 +4,13 @@
 
 namespace fulbito::libero {
 
-/// [m] radius of the circle on which a robot drives round the ball.
-inline constexpr double kRound = 0.09;
+/// Radius [m] of the circle on which a robot drives round the ball.
+double roundRadius(const Pitch& pitch);
 
 /// Heading [rad] of the field that leads behind `contact` and through it along `direction` [rad]: tangents to
-/// a circle of `radius` [m] about the contact, then the N-posture field with `sharpness` (Univector, 3.1).
+/// a circle of `radius` [m] about the contact, then the N-posture field (Univector, 3.1).
 /// `side` is the direction round the ball, kept while the robot is right in front of it.
-double approachHeading(Vec2 robot, Vec2 contact, double direction, double radius, double sharpness,
+double approachHeading(const Pitch& pitch, Vec2 robot, Vec2 contact, double direction, double radius,
                        int& side);
 
 /// Drives so as to hit `contact` along the unit vector `direction`. While the robot is in front of the ball,

@@ -49,7 +49,7 @@ struct Bound {
     return unitOr(slope, {1.0, 0.0});
   }
 
-  Twist along(Vec2 way) const { return alongHeading(robot, math::angleOf(way), pitch.speed); }
+  Twist along(Vec2 way) const { return alongHeading(pitch, robot, math::angleOf(way), pitch.speed); }
 
   /// Both wheels at this speed [m/s], without a limit of acceleration.
   RobotCommand straight(double speed) const {

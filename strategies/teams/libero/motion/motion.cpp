@@ -7,14 +7,6 @@
 #include "fulbito/detail/math.hpp"
 
 namespace fulbito::libero {
-namespace {
-
-constexpr double kHeldSpeed = 0.3;   // [m/s] above this speed the leading end stays
-constexpr double kHeldAngle = 0.26;  // [rad] beyond a right angle; smaller errors keep the end
-constexpr double kBraking = 0.75;    // share of the acceleration that a robot plans to use for braking
-
-}  // namespace
-
 double foldedError(double wanted, double heading) {
   const double error = math::wrapAngle(wanted - heading);
   if (error > math::kPi / 2) return error - math::kPi;
@@ -22,28 +14,35 @@ double foldedError(double wanted, double heading) {
   return error;
 }
 
-Twist alongHeading(const RobotState& robot, double heading, double speed, double gain) {
+Twist alongHeading(const Pitch& pitch, const RobotState& robot, double heading, double speed, double gain) {
   double error = math::wrapAngle(heading - robot.pose.heading);
   const double forward = dot(robot.velocity, math::unit(robot.pose.heading));
   double limit = math::kPi / 2;
-  if (forward > kHeldSpeed) limit += kHeldAngle;
-  if (forward < -kHeldSpeed) limit -= kHeldAngle;
+  if (std::abs(forward) > pitch.tuning.lies) limit += std::copysign(pitch.tuning.turn_in / 2, forward);
   double sign = 1.0;
   if (std::abs(error) > limit) {
     error += error > 0.0 ? -math::kPi : math::kPi;
     sign = -1.0;
   }
   const double c = std::max(0.0, math::cos(error));
-  return {sign * speed * (c * c), std::clamp(gain * error, -24.0, 24.0)};
+  return {sign * speed * (c * c), std::clamp(gain * error, -pitch.turn_rate, pitch.turn_rate)};
+}
+
+Twist alongHeading(const Pitch& pitch, const RobotState& robot, double heading, double speed) {
+  return alongHeading(pitch, robot, heading, speed, pitch.tuning.turn_gain);
 }
 
 double fastestTurn(const Pitch& pitch, double angle) {
-  return std::min(stoppingSpeed(0.6 * pitch.turning, angle), 25.0 * angle);
+  return std::min(stoppingSpeed(pitch.plannedTurning(), angle), pitch.tuning.rest_gain * angle);
 }
 
 Twist turnTo(const Pitch& pitch, const RobotState& robot, double heading) {
   const double error = foldedError(heading, robot.pose.heading);
   return {0.0, std::copysign(fastestTurn(pitch, std::abs(error)), error)};
+}
+
+double creeping(const Pitch& pitch, double way) {
+  return std::clamp(pitch.tuning.push_gain * way, -pitch.tuning.lies, pitch.tuning.lies);
 }
 
 Twist restAt(const Pitch& pitch, const RobotState& robot, Vec2 place, double heading, double heading_from) {
@@ -52,15 +51,15 @@ Twist restAt(const Pitch& pitch, const RobotState& robot, Vec2 place, double hea
   if (d < heading_from) {
     Twist twist = turnTo(pitch, robot, heading);
     const Vec2 local = intoFrame(math::unit(robot.pose.heading), way);
-    twist.linear = std::clamp(4.0 * local.x, -0.2, 0.2);
+    twist.linear = creeping(pitch, local.x);
     return twist;
   }
-  return alongHeading(robot, math::angleOf(way),
-                      std::min(pitch.speed, stoppingSpeed(kBraking * pitch.braking, d)));
+  return alongHeading(pitch, robot, math::angleOf(way),
+                      std::min(pitch.speed, stoppingSpeed(pitch.plannedBraking(), d)));
 }
 
-Twist passThrough(const RobotState& robot, Vec2 place, double speed) {
-  return alongHeading(robot, math::angleOf(place - robot.pose.position), speed);
+Twist passThrough(const Pitch& pitch, const RobotState& robot, Vec2 place) {
+  return alongHeading(pitch, robot, math::angleOf(place - robot.pose.position), pitch.speed);
 }
 
 }  // namespace fulbito::libero

@@ -4,13 +4,11 @@
 
 namespace fulbito::libero {
 
-/// [1/s] default yaw rate per heading error.
-inline constexpr double kTurnGain = 16.0;
-
 /// Drives along `heading` [rad] at `speed` [m/s] with the end that needs the smaller turn; a moving robot
 /// keeps its leading end unless the other is clearly nearer. While it turns, the speed falls by the squared
-/// cosine of the error. `gain` [1/s] is the yaw rate per error.
-Twist alongHeading(const RobotState& robot, double heading, double speed, double gain = kTurnGain);
+/// cosine of the error. `gain` [1/s] is the yaw rate per error, by default `Tuning::turn_gain`.
+Twist alongHeading(const Pitch& pitch, const RobotState& robot, double heading, double speed);
+Twist alongHeading(const Pitch& pitch, const RobotState& robot, double heading, double speed, double gain);
 
 /// The greatest yaw rate [rad/s] from which the robot can stop after a turn by `angle` [rad] >= 0.
 double fastestTurn(const Pitch& pitch, double angle);
@@ -18,13 +16,16 @@ double fastestTurn(const Pitch& pitch, double angle);
 /// Turns in place until one end points along `heading`.
 Twist turnTo(const Pitch& pitch, const RobotState& robot, double heading);
 
+/// The slow speed [m/s] along its heading at which a robot that turns in place mends the rest of its way
+/// [m].
+double creeping(const Pitch& pitch, double way);
+
 /// Drives to `place`, stops there and turns an end to `heading`. The turn begins `heading_from` [m] before
 /// the place.
-Twist restAt(const Pitch& pitch, const RobotState& robot, Vec2 place, double heading,
-             double heading_from = 0.02);
+Twist restAt(const Pitch& pitch, const RobotState& robot, Vec2 place, double heading, double heading_from);
 
-/// Drives through `place` at `speed` [m/s].
-Twist passThrough(const RobotState& robot, Vec2 place, double speed);
+/// Drives through `place` at full speed.
+Twist passThrough(const Pitch& pitch, const RobotState& robot, Vec2 place);
 
 /// Difference of two headings when either end may lead, in [-pi/2, pi/2].
 double foldedError(double wanted, double heading);

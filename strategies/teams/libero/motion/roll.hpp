@@ -8,19 +8,18 @@
 
 namespace fulbito::libero {
 
-inline constexpr double kStands = 1e-9;  ///< [m/s] below this speed braking wheels stand still
-inline constexpr double kReserve = 0.7;  ///< share of its braking that a robot plans with
+inline constexpr double kStands = 1e-9;  ///< [m/s] rounding: below it, braking wheels stand still
 
 /// Ticks until a robot that brakes from its top speed rests, after one tick of any command.
 inline int ticksToRest(const Pitch& pitch) {
-  return 1 + static_cast<int>(std::ceil(pitch.speed / (kReserve * pitch.braking * pitch.tick)));
+  return 1 + static_cast<int>(std::ceil(pitch.speed / (pitch.plannedBraking() * pitch.tick)));
 }
 
 /// Greatest distance [m] that a robot with `speed` [m/s] covers before it rests, after one tick of any
 /// command.
 inline double mostWay(const Pitch& pitch, double speed) {
   const double then = speed + pitch.acceleration * pitch.tick;
-  const double slows = kReserve * std::min(pitch.braking, pitch.sliding);
+  const double slows = pitch.tuning.braking_share * std::min(pitch.braking, pitch.sliding);
   return then * (2 * pitch.tick + then / (2 * slows));
 }
 
@@ -79,7 +78,7 @@ struct Roll {
   }
 
   void move(double speed, double turning) {
-    const double slows = kReserve * pitch.sliding * pitch.tick;
+    const double slows = pitch.tuning.braking_share * pitch.sliding * pitch.tick;
     across -= std::clamp(across, -slows, slows);
     const Vec2 half = smallTurn(turning / pitch.half_track * (pitch.tick / 2));
     const Vec2 middle = outOfFrame(face, half);

@@ -109,9 +109,9 @@ struct Body {
     const double v = pitch.speed;
     Twist best;
     double most = -1e9;
-    for (const Twist twist : {Twist{v, 0.0}, Twist{-v, 0.0}, alongHeading(self, math::angleOf(off), v),
-                              alongHeading(self, math::angleOf(beside), v),
-                              alongHeading(self, math::angleOf(-beside), v), Twist{}}) {
+    for (const Twist twist : {Twist{v, 0.0}, Twist{-v, 0.0}, alongHeading(pitch, self, math::angleOf(off), v),
+                              alongHeading(pitch, self, math::angleOf(beside), v),
+                              alongHeading(pitch, self, math::angleOf(-beside), v), Twist{}}) {
       const double gaps = gapsBy(twist);
       if (gaps > most) most = gaps, best = twist;
     }
@@ -134,7 +134,7 @@ struct Body {
     const Vec2 off = unitOr(self.pose.position - other.pose.position, {-1.0, 0.0});
     const Vec2 going = start.face * wanted.linear;
     const double hand = dot(going, perp(off)) >= 0.0 ? 1.0 : -1.0;
-    const Twist slide = alongHeading(self, math::angleOf(perp(off) * hand + off * 0.3), pitch.speed);
+    const Twist slide = alongHeading(pitch, self, math::angleOf(perp(off) * hand + off * 0.3), pitch.speed);
     if (allows(slide)) return RobotCommand::byTwist(slide);
     if (allows({0.0, slide.angular})) return RobotCommand::byTwist({0.0, slide.angular});
     return away();
@@ -191,29 +191,6 @@ bool atBall(const Pitch& pitch, const RobotState& robot, Vec2 ball) {
   const Vec2 outside{std::max(0.0, std::abs(local.x) - pitch.robot_half),
                      std::max(0.0, std::abs(local.y) - pitch.robot_half)};
   return norm(outside) < pitch.ball_radius + kTouch;
-}
-
-std::optional<Twist> roundKeeper(const Picture& picture, int robot, Vec2 target) {
-  if (picture.disputes(robot)) return std::nullopt;
-  const Pitch& pitch = picture.pitch;
-  const RobotState& self = picture.own(robot);
-  const Vec2 from = self.pose.position;
-  const double length = distance(from, target);
-  const Vec2 way = unitOr(target - from, {1.0, 0.0});
-  // Room for both bodies at any heading.
-  const double clear = 2.0 * pitch.robot_corner + kRoom;
-  double nearest = std::min(length, kNear);
-  std::optional<Vec2> turned;
-  for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (!keeps(picture, i)) continue;
-    const Vec2 rel = intoFrame(way, picture.opponent(i).pose.position - from);
-    if (rel.x < 0.0 || rel.x > nearest || std::abs(rel.y) > clear) continue;
-    nearest = rel.x;
-    const double pass = rel.y > 0.0 ? rel.y - clear : rel.y + clear;
-    turned = outOfFrame(way, {std::max(rel.x, kRoom), pass});
-  }
-  if (!turned) return std::nullopt;
-  return alongHeading(self, math::angleOf(*turned), pitch.speed);
 }
 
 std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twist wanted) {

@@ -16,10 +16,6 @@ inline constexpr double kDisputes = 0.15;
 /// Whether `robot` touches the ball.
 bool atBall(const Pitch& pitch, const RobotState& robot, Vec2 ball);
 
-/// The twist toward `target` round a keeper in the way; empty if there is none or the robot disputes the
-/// ball.
-std::optional<Twist> roundKeeper(const Picture& picture, int robot, Vec2 target);
-
 /// What `robot` does instead of `wanted` if that would hit the keeper: it stops in time, turns off, or leaves
 /// a keeper that it touches. Empty: `wanted` is fine.
 std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twist wanted);

@@ -13,17 +13,12 @@ struct Memory {
     double sense = 1.0;   ///< +1 counter-clockwise, -1 clockwise
     double locked = 0.0;  ///< [s] until the next spin may begin
   };
-  struct DriveOff {
-    double caught = 0.0;  ///< [s] time that the robot has not moved although it is away from the ball
-    double left = 0.0;    ///< [s] left of driving off
-  };
   struct Strike {
     int side = 0;       ///< present direction round the ball: +1 counter-clockwise, -1 clockwise, 0 none
     int direction = 0;  ///< index of the last strike direction, see `clearStrikeDirection`
   };
 
   Spin spin;
-  DriveOff drive_off;
   Strike strike;
   PressMemory press;
   ShotMemory shot;

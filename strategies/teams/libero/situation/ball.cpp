@@ -5,7 +5,7 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kResting = 0.02;  // [m/s]
+constexpr double kResting = 0.02;  // [m/s] resolution: it rolls 3 mm at most
 
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace fulbito::libero {
 class BallForecast {
  public:
   static constexpr int kSteps = 30;
-  static constexpr double kStep = 0.05;  ///< [s]
+  static constexpr double kStep = 0.05;  ///< [s] resolution: three ticks
 
   /// Stores `ball`, the present ball, and samples its prediction `way`.
   void take(const BallState& ball, const BallPrediction& way);

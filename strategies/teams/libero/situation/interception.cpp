@@ -9,7 +9,9 @@ namespace fulbito::libero {
 
 Interception interception(const Picture& picture, const RobotState& robot) {
   const Vec2 goal = picture.pitch.theirGoal();
-  const auto strike_point = [&](Vec2 ball) { return ball - unitOr(goal - ball, {1.0, 0.0}) * 0.04; };
+  const auto strike_point = [&](Vec2 ball) {
+    return ball - unitOr(goal - ball, {1.0, 0.0}) * picture.pitch.robot_half;
+  };
   if (picture.ball.resting()) {
     const Vec2 ball = picture.ball.sample(0);
     return {timeToReach(picture.pitch.pace, robot, strike_point(ball)), ball};
@@ -19,7 +21,7 @@ Interception interception(const Picture& picture, const RobotState& robot) {
   for (int i = 0; i <= BallForecast::kSteps; i += 2) {
     const double time = i * BallForecast::kStep;
     const Vec2 ball = picture.ball.sample(i);
-    const double least = picture.pitch.speed * time + 0.12;
+    const double least = picture.pitch.speed * time + picture.pitch.around;
     if (squaredNorm(ball - robot.pose.position) > least * least && i < BallForecast::kSteps) continue;
     const double needed = timeToReach(picture.pitch.pace, runner, strike_point(ball));
     if (needed <= time || i == BallForecast::kSteps) {
@@ -27,7 +29,7 @@ Interception interception(const Picture& picture, const RobotState& robot) {
       const double early = time - needed;
       const double at =
           late > 0.0 && early > 0.0 ? time - 2 * BallForecast::kStep * early / (early + late) : time;
-      return {std::max(at, needed - 0.1), picture.ball.at(at)};
+      return {std::max(at, needed - 2 * BallForecast::kStep), picture.ball.at(at)};
     }
     late = needed - time;
   }

@@ -5,7 +5,6 @@
 
 #include "strategies/teams/libero/situation/ball.hpp"
 #include "strategies/teams/libero/situation/pitch.hpp"
-#include "strategies/teams/libero/situation/settings.hpp"
 
 namespace fulbito::libero {
 
@@ -19,9 +18,8 @@ struct Interception {
 struct Picture {
   const Observation& seen;
   const Pitch& pitch;
-  const Settings& settings;
   const BallForecast& ball;
-  double stuck = 0.0;  ///< [s] time that the ball has stayed in a circle of 10 cm, as referees measure it
+  double stuck = 0.0;  ///< [s] time that the ball has stayed in a circle, as referees measure it
   /// [s] time for which each own robot still counts as disputing the ball; 0: it has not touched it recently.
   std::array<double, kMaxTeamSize> dispute_left{};
   /// @{ What the choice of roles adds.
@@ -34,6 +32,7 @@ struct Picture {
   /// Of each field player; empty for others.
   std::array<std::optional<Interception>, kMaxTeamSize> interceptions{};
   /// @}
+  const Tuning& tuning = pitch.tuning;
 
   const RobotState& own(int i) const { return seen.own[static_cast<std::size_t>(i)].state; }
   bool ownPresent(int i) const { return seen.own[static_cast<std::size_t>(i)].present; }

@@ -1,13 +1,17 @@
 #include "strategies/teams/libero/situation/pitch.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "engine/core/math/braking.hpp"
+#include "fulbito/detail/math.hpp"
 #include "navigation/followers/limiter.hpp"
 
 namespace fulbito::libero {
 
-Pitch::Pitch(const MatchInfo& info)
-    : field(info.field),
+Pitch::Pitch(const MatchInfo& info, const Tuning& tuned)
+    : tuning(tuned),
+      field(info.field),
       pace(info.robot),
       half_length(info.field.length / 2),
       half_width(info.field.width / 2),
@@ -24,6 +28,15 @@ Pitch::Pitch(const MatchInfo& info)
       half_track(info.robot.axle_track / 2),
       wheel_radius(info.robot.wheel_radius),
       tick(info.physics.controlPeriod()),
+      front(robot_half + ball_radius),
+      touch(robot_corner + ball_radius),
+      bodies(2 * robot_corner),
+      around(2 * front),
+      stop_time(speed / braking),
+      turn_time(timeToTurn(pace, math::kPi / 2)),
+      turn_rate(stoppingSpeed(turning, math::kPi / 4)),
+      creep(stoppingSpeed(info.ball.roll_deceleration, ball_radius)),
+      stuck_radius(info.rules.stuck.radius),
       motors(info.robot, tick),
       team_size(info.rules.team_size) {}
 

@@ -3,20 +3,28 @@
 #include "engine/core/models/drive_law.hpp"
 #include "fulbito/strategy.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
+#include "strategies/teams/libero/situation/tuning.hpp"
 
 namespace fulbito::libero {
 
 /// Dimensions of field and bodies that the skills need, in the team's frame (own goal at -x), from the
-/// match's models.
+/// match's models and rules, and what follows from them. Skills measure by these scales and by the tuned
+/// numbers, and have no lengths, times and gains of their own.
 struct Pitch {
   Pitch() : Pitch(MatchInfo{}) {}
-  explicit Pitch(const MatchInfo& info);
+  explicit Pitch(const MatchInfo& info, const Tuning& tuned = {});
 
   Vec2 ownGoal() const { return {-half_length, 0.0}; }
   Vec2 theirGoal() const { return {half_length, 0.0}; }
   /// Whether the teams have more than three robots; crowds then push through where three cannot.
   bool isLarge() const { return team_size > 3; }
 
+  /// Deceleration [m/s^2] that a robot plans with when it drives straight.
+  double plannedBraking() const { return tuning.braking_share * braking; }
+  /// [rad/s^2] the same for its turns.
+  double plannedTurning() const { return tuning.braking_share * turning; }
+
+  Tuning tuning;
   FieldGeometry field;
   RobotPace pace;
   double half_length;   ///< [m]
@@ -34,6 +42,17 @@ struct Pitch {
   double half_track;    ///< [m]
   double wheel_radius;  ///< [m]
   double tick;          ///< [s] control period
+  /// @{ Distances [m] between centres.
+  double front;   ///< robot and ball that touches the middle of a side
+  double touch;   ///< robot and ball that touch, at any heading of the robot
+  double bodies;  ///< two robots that touch corner to corner: farther apart, no heading lets them touch
+  double around;  ///< two robots with the ball between their sides
+  /// @}
+  double stop_time;     ///< [s] to stop from top speed
+  double turn_time;     ///< [s] of a quarter turn in place, from rest to rest
+  double turn_rate;     ///< [rad/s] greatest yaw rate of such a turn
+  double creep;         ///< [m/s] speed of a ball that rolls less than its radius before it rests
+  double stuck_radius;  ///< [m] of the circle in which referees count a ball as stuck
   DriveLaw motors;      ///< effect of the motors in one tick
   int team_size;
 };

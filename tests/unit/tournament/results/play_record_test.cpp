@@ -31,20 +31,20 @@ TEST_CASE("records add up by team, not by colour, and keep the longest contact",
   one.play_ticks = two.play_ticks = 60;
   one.teams[0].longest_contact = 7;
   two.teams[1].longest_contact = 9;
-  for (const PlayCount& entry : kPlayCounts) {
-    if (entry.count == &TeamRecord::longest_contact) continue;
-    one.teams[0].*entry.count = 1;
-    two.teams[1].*entry.count = 2;
-    one.teams[1].*entry.count = 10;
+  for (const auto count : kPlayCounts) {
+    if (count == &TeamRecord::longest_contact) continue;
+    one.teams[0].*count = 1;
+    two.teams[1].*count = 2;
+    one.teams[1].*count = 10;
   }
   sum.add(one, 0);
   sum.add(two, 1);
   CHECK(sum.play_ticks == 120);
   CHECK(sum.teams[0].longest_contact == 9);
-  for (const PlayCount& entry : kPlayCounts) {
-    if (entry.count == &TeamRecord::longest_contact) continue;
-    CHECK(sum.teams[0].*entry.count == 3);
-    CHECK(sum.teams[1].*entry.count == 10);
+  for (const auto count : kPlayCounts) {
+    if (count == &TeamRecord::longest_contact) continue;
+    CHECK(sum.teams[0].*count == 3);
+    CHECK(sum.teams[1].*count == 10);
   }
 }
 

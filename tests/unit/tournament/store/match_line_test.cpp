@@ -38,7 +38,7 @@ MatchRow unusualRow() {
   row.result.ticks = std::numeric_limits<Tick>::max();
   row.result.play.wall_ticks = std::numeric_limits<Tick>::max();
   std::int64_t next = 1;
-  for (const PlayCount& entry : kPlayCounts) row.result.play.teams[1].*entry.count = next++;
+  for (const auto count : kPlayCounts) row.result.play.teams[1].*count = next++;
   row.result.score = {std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
   row.result.outcome = MatchOutcome::kForfeit;
   row.result.winner.reset();
@@ -69,7 +69,8 @@ TEST_CASE("a line has the keys in a fixed order and a checksum", "[unit]") {
         signedLine("{\"id\":\"0123456789abcdef0000000000000001\",\"teams\":[\"classic\",\"libero\"],"
                    "\"start\":\"kick-off\",\"seed\":18446744073709551615,\"score\":[1,0],"
                    "\"winner\":\"blue\",\"goals_after_foul\":[0,0],\"play_ticks\":30000,\"wall_ticks\":9000,"
-                   "\"corner_ticks\":300,\"play\":[{},{\"shots\":4,\"locks\":1}],\"ticks\":36000,"
+                   "\"corner_ticks\":300,\"play\":[[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0],[4,0,0,0,0,0,0,0,0,0,0,0,"
+                   "1,0,0]],\"ticks\":36000,"
                    "\"final_hash\":\"0000000000000abc\",\"outcome\":\"normal\","
                    "\"faults\":[{\"late\":3},{}]") +
             "\n");
@@ -156,11 +157,19 @@ TEST_CASE("a line of another shape is refused, though its checksum is right", "[
   CHECK(errorOf(changedLine("\"mercy\"", "\"merci\"")) == "not a match: 'outcome' is missing or wrong");
   CHECK(errorOf(changedLine("\"teams\":[\"classic\",\"libero\"]", "\"teams\":{}")) ==
         "not a match: 'teams' is missing or wrong");
-  for (const char* play : {"[{}]", "{}", "[[],[]]", "[1,2]", "[{\"shots\":\"1\"},{}]", "[{\"shots\":-1},{}]",
-                           "[{\"shots\":true},{}]", "[{\"late\":1},{}]", "[{\"shots\":1,\"shots\":2},{}]",
-                           "[{\"failure\":\"no\"},{}]"}) {
-    CHECK(errorOf(changedLine("[{\"shots\":1},{\"longest_contact\":1}]", play)) ==
-          "not a match: 'play' is missing or wrong");
+  const std::string line = toLine(matchRow(1)), begin = "\"play\":";
+  const std::size_t from = line.find(begin) + begin.size();
+  const std::string written = line.substr(from, line.find("]]", from) + 2 - from);
+  const std::string team = written.substr(1, written.find(']'));
+  const std::string fewer = "[1,2,3,4,5,6,7,8,9,10,11,12,13,14]";
+  for (const std::string& play :
+       {"[" + team + "]", "[" + team + "," + team + "," + team + "]", std::string("{}"), std::string("[1,2]"),
+        "[" + team + ",{}]", "[" + team + "," + fewer + "]", "[" + team + ",[[1]]]",
+        "[" + team + ",[1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16]]",
+        "[" + team + ",[-1,2,3,4,5,6,7,8,9,10,11,12,13,14,15]]",
+        "[" + team + ",[\"1\",2,3,4,5,6,7,8,9,10,11,12,13,14,15]]",
+        "[" + team + ",[1.5,2,3,4,5,6,7,8,9,10,11,12,13,14,15]]"}) {
+    CHECK(errorOf(changedLine(written, play)) == "not a match: 'play' is missing or wrong");
   }
   for (const char* faults :
        {"[{}]", "[{},{},{}]", "{}", "[[],[]]", "[1,2]", "[{\"late\":\"3\"},{}]", "[{\"late\":-1},{}]",

@@ -68,13 +68,14 @@ std::optional<Twist> pushAside(const Picture& picture, const RobotState& self) {
   const bool beside = rel.x < 0.03 && std::abs(rel.x) < 0.05 && rel.y * out > 0.04;
   if (at_wall || beside) {
     if (rel.y * out < 0.02) return std::nullopt;
-    return passThrough(self, {std::max(ball.x, keeperLine(pitch)), ball.y + 0.1 * out}, pitch.speed);
+    return passThrough(pitch, self, {std::max(ball.x, keeperLine(pitch)), ball.y + 0.1 * out});
   }
   if (rel.x < 0.02) return std::nullopt;
   const Vec2 way = unitOr(rel, {1.0, 0.0}) + Vec2{0.3, out * 0.4};
   int side = 0;
-  const double heading = approachHeading(self.pose.position, ball, math::angleOf(way), 0.09, 1.0, side);
-  return alongHeading(self, heading, pitch.speed);
+  const double heading =
+      approachHeading(pitch, self.pose.position, ball, math::angleOf(way), roundRadius(pitch), side);
+  return alongHeading(pitch, self, heading, pitch.speed);
 }
 
 }  // namespace

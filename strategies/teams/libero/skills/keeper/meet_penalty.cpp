@@ -15,7 +15,7 @@ std::optional<Move> meetPenalty(const Picture& picture, int robot, Memory& /*mem
   if (rel.x <= kInFront || squaredNorm(rel) <= kApart * kApart) return std::nullopt;
   // The keeper drives toward the taker, since it covers more of the goal the nearer it is to the ball.
   const Vec2 meet = picture.ball.now().position + picture.ball.now().velocity * kAhead;
-  return Move{.twist = passThrough(picture.own(robot), meet, picture.pitch.speed),
+  return Move{.twist = passThrough(picture.pitch, picture.own(robot), meet),
               .reason = "their penalty has just begun",
               .ball = meet};
 }

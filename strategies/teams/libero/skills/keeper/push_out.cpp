@@ -43,7 +43,7 @@ std::optional<Move> pushOut(const Picture& picture, int robot, Memory& /*memory*
     return std::nullopt;
   const double side = ball.position.y >= 0.0 ? kOut : -kOut;
   const double heading = math::angleOf(unitOr(rel, {1.0, 0.0}) + Vec2{0.0, side});
-  return Move{.twist = alongHeading(self, heading, pitch.speed),
+  return Move{.twist = alongHeading(pitch, self, heading, pitch.speed),
               .reason = "the keeper was pushed into the goal",
               .ball = ball.position};
 }

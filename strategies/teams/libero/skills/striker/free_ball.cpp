@@ -8,14 +8,14 @@ namespace {
 /// robot aims, since a straight push sends the ball into the opponents' corner, from where it returns along
 /// the wall.
 bool contested(const Picture& picture) {
-  constexpr double kNear = 0.22;  // [m]
-  return picture.seen.since_restart < 0.1 || picture.opponentsNear(picture.ball.now().position, kNear) > 0;
+  return picture.seen.since_restart < picture.pitch.turn_time ||
+         picture.opponentsNear(picture.ball.now().position, picture.tuning.rival_near) > 0;
 }
 
 }  // namespace
 
 std::optional<Move> freeBall(const Picture& picture, int robot, Memory& memory) {
-  if (!disputesFreeBall(picture.seen) || !contested(picture)) return std::nullopt;
+  if (!disputesFreeBall(picture) || !contested(picture)) return std::nullopt;
   return Move{.twist = pressOn(picture, robot, memory.press),
               .reason = "a free ball is disputed",
               .ball = firstTouch(picture)};

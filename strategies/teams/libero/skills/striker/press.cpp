@@ -9,8 +9,9 @@ namespace {
 /// wanted direction.
 bool headOn(const Picture& picture, Vec2 rel, const Aim& aim) {
   const double near = norm(rel);
-  if (aim.wall || near > kTouch || dot(rel, aim.direction) < 0.5 * near) return false;
-  return picture.opponentsNear(picture.ball.now().position + unitOr(rel, {}) * 0.06, 0.03) > 0;
+  if (aim.wall || near > picture.pitch.touch || dot(rel, aim.direction) < 0.5 * near) return false;
+  const Vec2 opposite = picture.ball.now().position + unitOr(rel, {}) * picture.pitch.front;
+  return picture.opponentsNear(opposite, picture.pitch.ball_radius + picture.tuning.clearance) > 0;
 }
 
 }  // namespace

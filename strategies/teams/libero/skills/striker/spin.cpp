@@ -5,20 +5,15 @@ namespace fulbito::libero::striker {
 namespace {
 
 Move turning(const Picture& picture, Memory::Spin& spin, const char* reason) {
-  constexpr double kYawRate = 28.0;  // [rad/s]
-  constexpr double kLock = 0.4;      // [s] until the next spin
   spin.left -= picture.seen.dt;
-  if (spin.left <= 0.0) spin.locked = kLock;
-  return {.twist = {0.0, spin.sense * kYawRate}, .reason = reason};
+  if (spin.left <= 0.0) spin.locked = picture.tuning.spin_time;
+  return {.twist = {0.0, spin.sense * picture.tuning.spin_rate}, .reason = reason};
 }
 
 /// Whether the ball lies at a wall beside the robot or behind it.
 bool pinned(const Picture& picture, Vec2 rel, const Aim& aim) {
-  constexpr double kNear = 0.085;  // [m]
-  constexpr double kLies = 0.2;    // [m/s]
-  return aim.wall && squaredNorm(rel) < kNear * kNear &&
-         squaredNorm(picture.ball.now().velocity) < kLies * kLies &&
-         dot(unitOr(rel, {}), aim.direction) < 0.5;
+  return aim.wall && norm(rel) < picture.pitch.touch + picture.tuning.clearance &&
+         norm(picture.ball.now().velocity) < picture.tuning.lies && dot(unitOr(rel, {}), aim.direction) < 0.5;
 }
 
 }  // namespace
@@ -29,16 +24,14 @@ std::optional<Move> spinOn(const Picture& picture, int /*robot*/, Memory& memory
 }
 
 std::optional<Move> spin(const Picture& picture, int robot, Memory& memory) {
-  constexpr double kUpfield = 0.5;  // [m]
-  constexpr double kJammed = 0.35;  // [s]
-  constexpr double kSpins = 0.45;   // [s]
-  if (picture.ball.now().position.x <= kUpfield) return std::nullopt;
+  const Tuning& tuning = picture.tuning;
+  if (picture.ball.now().position.x <= tuning.spin_from) return std::nullopt;
   const Vec2 rel = picture.ballFrom(robot);
   const Aim& aim = shotOf(picture, robot, memory.shot).aim;
-  const bool jammed = memory.press.jammed > kJammed;
+  const bool jammed = memory.press.jammed > tuning.jam_time;
   if (memory.spin.locked > 0.0 || (!jammed && !pinned(picture, rel, aim))) return std::nullopt;
   memory.press.jammed = 0.0;
-  memory.spin.left = kSpins;
+  memory.spin.left = tuning.spin_time;
   memory.spin.sense = spinSense(picture.own(robot).pose.position, picture.ball.now().position, aim.direction);
   return turning(picture, memory.spin, jammed ? "the ball is jammed" : "the ball is pinned at a wall");
 }

@@ -16,16 +16,16 @@ const std::vector<std::string> kSchools = {"univector", "twins",    "marker", "b
 
 /// What a school does, as shares of the time of play.
 struct Habits {
-  double keeper_out = 0.0;    ///< the keeper is farther than 30 cm from its goal's middle
-  double goal_side = 0.0;     ///< both field players are between ball and own goal line
-  double both_near = 0.0;     ///< both field players are within 20 cm of the ball
-  double at_rebound = 0.0;    ///< of the ball in their half: one is at the rebound spot
-  double marks = 0.0;         ///< one is goal-side of an opponent and within 20 cm of it
-  double ball_at_side = 0.0;  ///< the ball is within 10 cm of a side wall
-  double spins = 0.0;         ///< a field player at the ball turns faster than 8 rad/s
-  double intruders = 0.0;     ///< a field player is in the own area
-  double locked = 0.0;        ///< two mates touch and are slower than 0.12 m/s, away from the ball
-  double far = 0.0;           ///< [m] mean distance of the farther field player from the ball
+  double keeper_out = 0.0;  ///< the keeper is farther than 30 cm from its goal's middle
+  double goal_side = 0.0;   ///< both field players are between ball and own goal line
+  double both_near = 0.0;   ///< both field players are within 20 cm of the ball
+  double at_rebound = 0.0;  ///< of the ball in their half: one is at the rebound spot
+  double marks = 0.0;       ///< one is goal-side of an opponent and within 20 cm of it
+  double at_home = 0.0;     ///< both field players are in the own half, and goal-side of the ball
+  double spins = 0.0;       ///< a field player at the ball turns faster than 8 rad/s
+  double intruders = 0.0;   ///< a field player is in the own area
+  double locked = 0.0;      ///< two mates touch and are slower than 0.12 m/s, away from the ball
+  double far = 0.0;         ///< [m] mean distance of the farther field player from the ball
 };
 
 /// The first half of a match as the school sees it: it is blue, and its goal is at -x.
@@ -43,7 +43,7 @@ class Watch {
 
   Habits habits() const {
     Habits h = sum_;
-    for (double* share : {&h.keeper_out, &h.goal_side, &h.both_near, &h.marks, &h.ball_at_side, &h.spins,
+    for (double* share : {&h.keeper_out, &h.goal_side, &h.both_near, &h.marks, &h.at_home, &h.spins,
                           &h.intruders, &h.locked, &h.far}) {
       *share /= ticks_;
     }
@@ -61,7 +61,7 @@ class Watch {
     const double a = distance(at(1), ball), b = distance(at(2), ball);
     sum_.both_near += std::max(a, b) < 0.20;
     sum_.far += std::max(a, b);
-    sum_.ball_at_side += field_.width / 2 - std::abs(ball.y) < 0.10;
+    sum_.at_home += std::max(at(1).x, at(2).x) < 0.0 && std::max(from(at(1)), from(at(2))) < from(ball);
     bool marks = false, spins = false, intrudes = false;
     for (const std::size_t i : {1U, 2U}) {
       spins = spins || (distance(at(i), ball) < 0.12 && std::abs(own[i].angular_velocity) > 8.0);
@@ -86,6 +86,18 @@ class Watch {
   Habits sum_;
   double ticks_ = 0.0, attacking_ = 0.0;
 };
+
+/// How far [m] off the middle a ball crosses the other half, which nobody defends.
+double passesAt(const std::string& school) {
+  Placement scene;
+  scene.ball = {-0.1, 0.2};
+  scene.robots[0] = {Pose2{{-0.7, 0.0}, 1.57}, Pose2{{-0.35, 0.15}, 0.0}, Pose2{{-0.5, -0.2}, 0.0}};
+  scene.robots[1] = {Pose2{{0.7, 0.0}, 1.57}, Pose2{{-0.3, -0.5}, 0.0}, Pose2{{0.2, -0.5}, 0.0}};
+  Match match = test::matchFrom(test::matchOf(school.c_str(), "idle", "vsss-3v3", 20.0), scene);
+  while (match.placement().ball.x < 0.45 && match.step()) {
+  }
+  return std::abs(match.placement().ball.y);
+}
 
 /// The school's habits against `classic`, in the first halves of four matches.
 Habits habitsOf(const std::string& school) {
@@ -116,15 +128,17 @@ TEST_CASE("each school does what it is named after more than another does", "[un
   const Habits plain = habitsOf("univector");
   CHECK(habitsOf("twins").at_rebound > plain.at_rebound + 0.3);
   CHECK(habitsOf("marker").marks > plain.marks + 0.07);
-  CHECK(habitsOf("block").goal_side > plain.goal_side + 0.03);
+  CHECK(habitsOf("block").at_home > plain.at_home + 0.15);
   CHECK(habitsOf("presser").both_near > plain.both_near + 0.2);
-  CHECK(habitsOf("dribbler").ball_at_side > plain.ball_at_side + 0.04);
   CHECK(habitsOf("kicker").both_near > plain.both_near + 0.05);
   CHECK(habitsOf("spinner").spins > plain.spins + 0.05);
   CHECK(habitsOf("sweeper").keeper_out > plain.keeper_out + 0.1);
   // The wall waits in front of its area, and those who counter wait as far from the ball.
   CHECK(habitsOf("block").far > plain.far + 0.15);
   CHECK(habitsOf("counter").far > plain.far + 0.1);
+  // Duels bring every ball to the walls; this ball meets none.
+  CHECK(passesAt("dribbler") > 0.5);
+  CHECK(passesAt("univector") < 0.35);
 }
 
 TEST_CASE("sparring teams play every robot, five a side, and with old and noisy pictures", "[unit]") {

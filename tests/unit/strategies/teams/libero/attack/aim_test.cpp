@@ -8,13 +8,12 @@ namespace {
 
 /// The y at which libero aims on the line of an empty goal, with a ball at (0.6, 0.35) of this velocity.
 double aimedAt(Vec2 velocity, const libero::Pitch& pitch) {
-  const libero::Settings settings;
   Observation seen;
   seen.ball.position = {0.6, 0.35};
   seen.ball.velocity = velocity;
   libero::BallForecast ball;
   ball.take(seen.ball, {});
-  const libero::Picture picture{seen, pitch, settings, ball};
+  const libero::Picture picture{seen, pitch, ball};
   return libero::openMouth(picture, seen.ball.position, 0.4, 0.0);
 }
 

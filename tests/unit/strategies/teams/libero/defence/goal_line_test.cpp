@@ -14,7 +14,6 @@ namespace fulbito {
 TEST_CASE("libero's keeper knows where a ball crosses its line", "[unit]") {
   const MatchInfo info = test::infoOf(3);
   const libero::Pitch pitch(info);
-  const libero::Settings settings;
   const BallCourse course(info.field, info.ball, info.physics);
   const double line = -pitch.half_length + 0.05;
   Rng rng(1, test::kTestStream);
@@ -28,7 +27,7 @@ TEST_CASE("libero's keeper knows where a ball crosses its line", "[unit]") {
     way.predict(course, seen.ball);
     libero::BallForecast ball;
     ball.take(seen.ball, way);
-    const auto found = libero::crossing({seen, pitch, settings, ball}, line);
+    const auto found = libero::crossing({seen, pitch, ball}, line);
     const auto exact = way.crossing({line, 0.0}, {-1.0, 0.0});
     CAPTURE(run);
     // Beside the goal, a ball may cross the line and return between two steps of the forecast.
@@ -48,12 +47,11 @@ TEST_CASE("libero's keeper knows where a ball crosses its line", "[unit]") {
 TEST_CASE("libero's keeper slides along its line and stops where it should", "[unit]") {
   const MatchInfo info = test::infoOf(3);
   const libero::Pitch pitch(info);
-  const libero::Settings settings;
   const libero::BallForecast ball;
   const double line = -pitch.half_length + 0.042;
   Observation seen;
   seen.ball.position = {0.5, 0.0};
-  const libero::Picture picture{seen, pitch, settings, ball};
+  const libero::Picture picture{seen, pitch, ball};
   Rng rng(2, test::kTestStream);
   for (int run = 0; run < 100; ++run) {
     RobotState keeper;

@@ -15,7 +15,6 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
   MatchInfo info = test::infoOf(3);
   info.physics.control_rate = rate;
   const libero::Pitch pitch(info);
-  const libero::Settings settings;
   const libero::BallForecast ball;
   const double dt = info.physics.controlPeriod();
   Rng rng{3, test::kTestStream, 0};
@@ -36,7 +35,7 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
     Twist wanted;
     for (double time = 0.0; time < 4.0; time += dt) {
       if (rng.uniform(0.0, 1.0) < 3.6 * dt) wanted = {rng.uniform(-1.2, 1.2), rng.uniform(-12.0, 12.0)};
-      const libero::Picture picture{seen, pitch, settings, ball};
+      const libero::Picture picture{seen, pitch, ball};
       const RobotCommand command = libero::keptOut(picture, 1, {own, !own}, wanted);
       const Twist limited = limitTwist(steady(info.robot), bodyTwist(robot), command.twist, dt);
       const WheelSpeeds wheels = command.kind == RobotCommand::Kind::kWheels

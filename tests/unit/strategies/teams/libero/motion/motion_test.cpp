@@ -27,7 +27,7 @@ TEST_CASE("libero's robots come to rest where they should, an end along the head
     const Vec2 place{rng.uniform(-0.6, 0.6), rng.uniform(-0.5, 0.5)};
     const double heading = rng.uniform(-math::kPi, math::kPi);
     for (int tick = 0; tick < 240; ++tick) {
-      robot = test::driven(info, robot, libero::restAt(pitch, robot, place, heading));
+      robot = test::driven(info, robot, libero::restAt(pitch, robot, place, heading, pitch.ball_radius));
     }
     CAPTURE(run);
     CHECK(distance(robot.pose.position, place) < 0.02);
@@ -37,11 +37,12 @@ TEST_CASE("libero's robots come to rest where they should, an end along the head
 }
 
 TEST_CASE("libero's robots turn the shorter way, with either end ahead", "[unit]") {
+  const libero::Pitch pitch(test::infoOf(3));
   Rng rng(2, test::kTestStream);
   for (int i = 0; i < 1000; ++i) {
     const RobotState robot = anyRobot(rng);
     const double heading = rng.uniform(-math::kPi, math::kPi);
-    const Twist twist = libero::alongHeading(robot, heading, 1.0);
+    const Twist twist = libero::alongHeading(pitch, robot, heading, 1.0);
     const double error = libero::foldedError(heading, robot.pose.heading);
     CHECK(std::abs(error) <= math::kPi / 2);
     CHECK(twist.angular * error >= 0.0);

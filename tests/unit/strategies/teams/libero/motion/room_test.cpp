@@ -109,11 +109,10 @@ TEST_CASE("in play libero hardly ever charges a keeper", "[unit]") {
 TEST_CASE("libero brakes or turns off before a keeper that it drives at, unless it has the ball", "[unit]") {
   const MatchInfo info = test::infoOf(3);
   const libero::Pitch pitch(info);
-  const libero::Settings settings;
   libero::BallForecast ball;
   const Twist ahead{pitch.speed, 0.0};
   const auto off = [&](const Observation& seen, double dispute_left) {
-    libero::Picture picture{seen, pitch, settings, ball};
+    libero::Picture picture{seen, pitch, ball};
     picture.dispute_left[1] = dispute_left;
     return libero::clearOfKeeper(picture, 1, ahead);
   };

@@ -30,11 +30,10 @@ struct WallScene {
   /// What a skill does here.
   std::optional<libero::Move> move(libero::SkillFunction& skill) const {
     libero::Memory memory;
-    return skill({seen, pitch, settings, forecast}, 0, memory);
+    return skill({seen, pitch, forecast}, 0, memory);
   }
 
   libero::Pitch pitch{matchInfo()};
-  libero::Settings settings;
   Observation seen;
   libero::BallForecast forecast;
 };

@@ -11,7 +11,6 @@ TEST_CASE("libero's robots without the ball have places on the field, off the ba
   for (const int size : {3, 5}) {
     const MatchInfo info = test::infoOf(size);
     const libero::Pitch pitch(info);
-    const libero::Settings settings;
     const auto play_book = libero::PlayBook::without("block");
     REQUIRE(play_book);
     Rng rng(7, test::kTestStream, static_cast<std::uint64_t>(size));
@@ -20,7 +19,7 @@ TEST_CASE("libero's robots without the ball have places on the field, off the ba
       seen.ball.velocity = {};
       libero::BallForecast ball;
       ball.take(seen.ball, {});
-      libero::Picture picture{seen, pitch, settings, ball};
+      libero::Picture picture{seen, pitch, ball};
       picture.keeper = 0;
       for (int robot = 1; robot < size; ++robot) {
         CAPTURE(size, run, robot, seen.ball.position.x, seen.ball.position.y);
