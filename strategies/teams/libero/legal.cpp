@@ -34,7 +34,8 @@ bool mateIsIn(const Picture& picture) {
 }  // namespace
 
 RobotCommand legal(const Picture& picture, int robot, Twist wanted) {
-  if (robot == picture.keeper) return RobotCommand::byTwist(wanted);
+  if (robot == picture.keeper)
+    return clearOfMates(picture, robot, wanted).value_or(RobotCommand::byTwist(wanted));
   const Pitch& pitch = picture.pitch;
   // A free ball lies at the area's edge, and a robot that avoids the edge would come late.
   if (robot == picture.striker && disputesFreeBall(picture) && !picture.keepers_ball)
@@ -44,6 +45,7 @@ RobotCommand legal(const Picture& picture, int robot, Twist wanted) {
   if (!theirs) {
     if (const auto off = clearOfKeeper(picture, robot, wanted)) return *off;
   }
+  if (const auto off = clearOfMates(picture, robot, wanted)) wanted = twistOf(pitch, *off);
   const RobotCommand kept = keptOut(picture, robot, {picture.keeper >= 0, theirs}, wanted);
   // A robot that must leave their area must not push the keeper aside.
   if (theirs && isInArea(pitch.field, picture.own(robot).pose.position, false, pitch.robot_corner)) {

@@ -73,8 +73,7 @@ void goalKick(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
     placed[0] = facing({ball.x - runUp(pitch), side * aside}, ball);
     placed[1] = facing({ball.x + 2 * pitch.around, std::copysign(pitch.half_width - pitch.around, side)},
                        {0.0, std::copysign(pitch.half_width, side)});
-    const double area = pitch.field.goal_area_depth + pitch.field.goal_area_arc_depth;
-    placed[2] = facing({-pitch.half_length + area + pitch.bodies, 0.0}, ball);
+    placed[2] = facing({-pitch.half_length + pitch.area_front + pitch.bodies, 0.0}, ball);
   } else {
     // The robots stand in the own half, as near to the ball as allowed. Robot 1 is in the way of a straight
     // kick, slightly inside, so that the ball goes out to the side wall. In five-a-side matches it stands

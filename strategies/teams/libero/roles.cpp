@@ -19,13 +19,14 @@ bool ballIsKeepers(const Picture& picture) {
          std::abs(ball.y) < picture.pitch.area_half;
 }
 
+/// While the ball is the keeper's, the striker comes last: the support stays where it is.
 void rankOthers(Picture& picture) {
-  const int at_ball = picture.keepers_ball ? -1 : picture.striker;
   int rank = 0;
   for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (picture.ownPresent(i) && i != picture.keeper && i != at_ball)
+    if (picture.ownPresent(i) && i != picture.keeper && i != picture.striker)
       picture.rank[static_cast<std::size_t>(i)] = rank++;
   }
+  if (picture.striker >= 0) picture.rank[static_cast<std::size_t>(picture.striker)] = rank;
 }
 
 }  // namespace

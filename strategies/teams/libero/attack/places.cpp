@@ -11,6 +11,8 @@
 namespace fulbito::libero {
 namespace {
 
+constexpr double kOffArea = 0.07;  // [m] of a place from our area
+
 /// The heading [rad] toward `to`, turned to pass the nearest robot or ball in the way along its tangent.
 double headingRound(const Picture& picture, int robot, Vec2 to) {
   const Vec2 from = picture.own(robot).pose.position;
@@ -42,7 +44,7 @@ Vec2 apart(const Picture& picture, Vec2 place) {
   if (squaredNorm(place - ball) < kRoom * kRoom) {
     place = insideWalls(pitch.field, ball + unitOr(place - ball, {-1.0, 0.0}) * kRoom, 0.06);
   }
-  place = outsideArea(pitch.field, place, true, 0.07);
+  place = outsideArea(pitch.field, place, true, kOffArea);
   return isInArea(pitch.field, ball, false, 0.1) ? outsideArea(pitch.field, place, false, 0.08) : place;
 }
 
@@ -63,6 +65,14 @@ double farSide(Vec2 ball, Vec2 robot) {
   constexpr double kMiddle = 0.001;  // [m]
   if (std::abs(ball.y) < kMiddle) return robot.y < 0.0 ? -1.0 : 1.0;
   return ball.y > 0.0 ? -1.0 : 1.0;
+}
+
+Vec2 coverPlace(const Picture& picture) {
+  constexpr double kAside = 0.6;  // share of the way from the goal's middle to the post
+  const Pitch& pitch = picture.pitch;
+  const double side = picture.ball.now().position.y >= 0.0 ? 1.0 : -1.0;
+  const Vec2 front{-pitch.half_length + pitch.field.goal_area_depth, side * pitch.goal_half * kAside};
+  return outsideArea(pitch.field, front, true, kOffArea);
 }
 
 Move travel(const Picture& picture, int robot, Vec2 place, const char* reason) {

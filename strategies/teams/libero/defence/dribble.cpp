@@ -12,25 +12,24 @@ namespace {
 
 /// Whether an opponent is near a ball in the own half with the ball between it and the own goal.
 bool threatened(const Picture& picture) {
-  constexpr double kNear = 0.35;     // [m]
-  constexpr double kForward = 0.10;  // [m] greatest x of the ball
-  constexpr double kWall = 0.06;     // [m] the robot races for a ball nearer to a wall
+  const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.now().position;
-  if (ball.x > kForward || squaredNorm(insideWalls(picture.pitch.field, ball, kWall) - ball) > 1e-9)
+  // The robot races for a ball at a wall.
+  if (ball.x > pitch.bodies || squaredNorm(insideWalls(pitch.field, ball, pitch.front) - ball) > 1e-9)
     return false;
-  const Vec2 goal = picture.pitch.ownGoal() - ball;
+  const double near = picture.tuning.rival_far;
+  const Vec2 goal = pitch.ownGoal() - ball;
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (!picture.opponentPresent(i)) continue;
     const Vec2 rel = ball - picture.opponent(i).pose.position;
-    if (squaredNorm(rel) < kNear * kNear && dot(rel, goal) > 0.0) return true;
+    if (squaredNorm(rel) < near * near && dot(rel, goal) > 0.0) return true;
   }
   return false;
 }
 
 /// Whether two opponents are at the ball: they push past a robot that blocks only one of them.
 bool crowded(const Picture& picture) {
-  constexpr double kCrowd = 0.3;  // [m]
-  return picture.opponentsNear(picture.ball.now().position, kCrowd) > 1;
+  return picture.opponentsNear(picture.ball.now().position, picture.tuning.rival_far) > 1;
 }
 
 /// Unit vector of the ball's course: its velocity if an opponent pushes it, otherwise toward the own goal.
@@ -46,7 +45,7 @@ bool canBlockDribble(const Picture& picture, const RobotState& robot) {
   if (!pushed && (picture.pitch.isLarge() || !threatened(picture))) return false;
   if (!picture.pitch.isLarge() && crowded(picture)) return false;
   const Vec2 rel = intoFrame(wayOf(picture, pushed), robot.pose.position - picture.ball.now().position);
-  return rel.x > 0.02 && std::abs(rel.y) < 0.5 * rel.x + 0.05;
+  return rel.x > picture.pitch.ball_radius && std::abs(rel.y) < rel.x / 2 + picture.pitch.robot_corner;
 }
 
 Move blockDribble(const Picture& picture, const RobotState& robot) {
@@ -54,8 +53,8 @@ Move blockDribble(const Picture& picture, const RobotState& robot) {
   const bool pushed = opponentDribblesAtGoal(picture.seen, picture.ball.now());
   const Vec2 way = wayOf(picture, pushed);
   const Vec2 goal = intoFrame(way, picture.pitch.ownGoal() - ball.position);
-  const double lead = std::min(0.3, 0.4 * distance(robot.pose.position, ball.position));
-  const double inner = pushed ? std::copysign(kInner, goal.y) : 0.0;
+  const double lead = std::min(picture.tuning.rival_far, distance(robot.pose.position, ball.position) / 2);
+  const double inner = pushed ? std::copysign(picture.pitch.ball_radius, goal.y) : 0.0;
   const Vec2 to = ball.position + outOfFrame(way, {lead, inner});
   return {
       .twist = passThrough(picture.pitch, robot, to),

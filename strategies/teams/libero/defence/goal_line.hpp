@@ -8,27 +8,26 @@
 namespace fulbito::libero {
 
 /// [m] from the goal line to the centre of a keeper that stands in its goal.
-inline constexpr double kDepth = 0.042;
+inline double keeperDepth(const Pitch& pitch) { return pitch.robot_half + pitch.tuning.clearance / 2; }
 
 /// x [m] of the line on which the keeper stands.
-inline double keeperLine(const Pitch& pitch) { return -pitch.half_length + kDepth; }
+inline double keeperLine(const Pitch& pitch) { return keeperDepth(pitch) - pitch.half_length; }
 
-/// y [m] at which the free ball crosses the line at x = `line` [m] within the next 1.2 s; empty if it does
+/// y [m] at which the free ball crosses the line at x = `line` [m] within the forecast; empty if it does
 /// not.
 std::optional<double> crossing(const Picture& picture, double line);
 
-/// Whether a ball rolls into the own goal or at a post, faster than 0.3 m/s.
+/// Whether a ball rolls into the own goal or at a post, and is not slow.
 bool shotComes(const Picture& picture);
 
 /// Whether the ball rolls into the own goal and `robot`, which is near the goal, must save it.
 bool mustSave(const Picture& picture, int robot);
 
 /// Drives along the line at `speed` [m/s]. A small turn toward the line corrects the distance from it.
-Twist alongLine(const RobotState& self, double line, double speed);
+Twist alongLine(const Pitch& pitch, const RobotState& self, double line, double speed);
 
-/// The greatest speed [m/s] at which the robot can still stop `way` [m] ahead, at most `gain` [1/s] times
-/// `way`.
-double stoppableSpeed(const Pitch& pitch, double way, double gain);
+/// The greatest speed [m/s] at which the robot can still stop `way` [m] ahead.
+double stoppableSpeed(const Pitch& pitch, double way);
 
 /// Drives to `y` [m] on the line with the body parallel to it.
 Twist slideTo(const Picture& picture, const RobotState& self, double line, double y);

@@ -43,7 +43,7 @@ struct Bound {
 
   /// Unit vector of the shortest way out of the area.
   Vec2 outward(Vec2 p) const {
-    constexpr double kStep = 1e-4;
+    constexpr double kStep = 1e-4;  // [m] resolution of the slope
     const Vec2 slope{depth({p.x - kStep, p.y}) - depth({p.x + kStep, p.y}),
                      depth({p.x, p.y - kStep}) - depth({p.x, p.y + kStep})};
     return unitOr(slope, {1.0, 0.0});
@@ -73,13 +73,14 @@ struct Bound {
       const double room = way.y == 0.0 ? pitch.field.goal_area_depth + pitch.field.goal_area_arc_depth -
                                              pitch.half_length - p.x
                                        : pitch.area_half - way.y * p.y;
-      const double time = timeToReach(pitch.pace, robot, p + way * std::max(0.02, room + margin));
+      const double time =
+          timeToReach(pitch.pace, robot, p + way * std::max(pitch.ball_radius, room + margin));
       if (time < least) least = time, best = way;
     }
     const Vec2 face = math::unit(robot.pose.heading);
     const double ahead = dot(face, best);
     // A twist changes the turn before the speed, so a robot that moves inward must stop first.
-    if (dot(robot.velocity, best) < -0.05)
+    if (dot(robot.velocity, best) < -pitch.creep)
       return straight(std::abs(ahead) > 0.5 ? std::copysign(pitch.speed, ahead) : 0.0);
     return RobotCommand::byTwist(along(best));
   }
@@ -99,10 +100,10 @@ struct Bound {
   RobotCommand fromEdge(Twist wanted) const {
     const Vec2 out = outward(robot.pose.position);
     const double ahead = dot(math::unit(robot.pose.heading), out);
-    if (dot(robot.velocity, out) < -0.02) {
+    if (dot(robot.velocity, out) < -pitch.creep) {
       return straight(std::abs(ahead) > 0.5 ? std::copysign(pitch.speed, ahead) : 0.0);
     }
-    const bool leads_off = wanted.linear * ahead > 0.1 * pitch.speed;
+    const bool leads_off = wanted.linear * ahead > pitch.tuning.lies / 2;
     if (leads_off && allows(wanted, depth(robot.pose.position))) return RobotCommand::byTwist(wanted);
     // The sense of `wanted` does not count, since it changes faster than a robot turns.
     return RobotCommand::byTwist(along(out));
@@ -115,7 +116,7 @@ struct Bound {
     if (now > 0.0) return fromEdge(wanted);
     if (now + mostWay(pitch, norm(robot.velocity)) < 0.0) return RobotCommand::byTwist(wanted);
     if (allows(wanted)) return RobotCommand::byTwist(wanted);
-    const Twist slide = alongEdge(wanted, 0.2);
+    const Twist slide = alongEdge(wanted, pitch.tuning.lean);
     if (allows(slide)) return RobotCommand::byTwist(slide);
     if (allows({0.0, slide.angular})) return RobotCommand::byTwist({0.0, slide.angular});
     return straight(0.0);
@@ -124,17 +125,17 @@ struct Bound {
 
 /// Whether an opponent drives at the robot, or past it toward the own goal, and would push it into the area.
 bool isPressed(const Picture& picture, const RobotState& robot) {
-  constexpr double kNear = 0.30, kBeside = 0.05, kComes = 0.2;  // [m], [m], [m/s]
+  const double near = picture.tuning.rival_far, comes = picture.tuning.lies;
   const Vec2 goal = picture.pitch.ownGoal();
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (!picture.opponentPresent(i)) continue;
     const RobotState& other = picture.opponent(i);
     const Vec2 rel = robot.pose.position - other.pose.position;
-    if (squaredNorm(rel) > kNear * kNear) continue;
+    if (squaredNorm(rel) > near * near) continue;
     const Vec2 home = unitOr(goal - other.pose.position, {});
-    if (dot(rel, home) < -kBeside) continue;
-    if (dot(other.velocity, unitOr(rel, {})) > kComes) return true;
-    if (dot(other.velocity, home) > kComes) return true;
+    if (dot(rel, home) < -picture.pitch.robot_corner) continue;
+    if (dot(other.velocity, unitOr(rel, {})) > comes) return true;
+    if (dot(other.velocity, home) > comes) return true;
   }
   return false;
 }
@@ -145,12 +146,14 @@ RobotCommand keptOut(const Picture& picture, int robot, Closed closed, Twist wan
   const RobotState& self = picture.own(robot);
   const double x = self.pose.position.x;
   if (closed.own && x < 0.0) {
-    const double more = isPressed(picture, self) ? kPressedMargin : 0.0;
-    return Bound{picture.pitch, self, kOwnMargin + more}.kept(wanted);
+    // A defender is inside with more than half of its body.
+    const double more = isPressed(picture, self) ? picture.pitch.around : 0.0;
+    return Bound{picture.pitch, self, picture.tuning.area_margin + more}.kept(wanted);
   }
   if (closed.theirs && x > 0.0) {
-    return Bound{picture.pitch, inTeamFrame(Side::kRight, self), kTheirMargin + picture.pitch.robot_corner}
-        .kept(wanted);
+    // There any part of the body counts as inside.
+    const double margin = picture.tuning.area_margin + picture.pitch.robot_corner;
+    return Bound{picture.pitch, inTeamFrame(Side::kRight, self), margin}.kept(wanted);
   }
   return RobotCommand::byTwist(wanted);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/core/models/field_places.hpp"
 #include "fulbito/detail/math.hpp"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kTouch = 0.005;  // [m] bodies with a smaller gap count as touching
 constexpr double kRoom = 0.006;   // [m] gap that robots keep to a keeper
+constexpr double kAhead = 0.25;   // [s] in which a robot from rest passes another's body
 constexpr double kNear = 0.40;    // [m] robots farther apart cannot meet within the horizon
 
 /// Half the extent [m] of a square of half size `half` along a side of another square. `a` and `b` are unit
@@ -27,22 +29,23 @@ double gapOf(double half, Vec2 between, Vec2 a, Vec2 b) {
   return farthest - half - reach(half, a, b);
 }
 
-/// The opponents' keeper as seen from one robot.
-struct Keeper {
-  const Pitch& pitch;
+/// A body as seen from one robot that must not touch it: the opponents' keeper, or a mate.
+struct Body {
+  const Picture& picture;
   const RobotState& self;
-  const RobotState& keeper;
+  const RobotState& other;
+  const Pitch& pitch = picture.pitch;
   Roll start{pitch, self};
-  Vec2 faced = math::unit(keeper.pose.heading);
+  Vec2 faced = math::unit(other.pose.heading);
 
   double gap() const { return gapAfter(start, 0); }
-  /// The gap [m] after `ticks`, in which the keeper keeps its velocity.
+  /// The gap [m] after `ticks`, in which the other keeps its velocity.
   double gapAfter(const Roll& roll, int ticks) const {
-    const Vec2 there = keeper.pose.position + keeper.velocity * (ticks * pitch.tick);
+    const Vec2 there = other.pose.position + other.velocity * (ticks * pitch.tick);
     return gapOf(pitch.robot_half, there - roll.place, roll.face, faced);
   }
 
-  /// Whether the robot can stop in front of the keeper after one tick of `twist`.
+  /// Whether the robot can stop in front of the other after one tick of `twist`.
   bool allows(Twist twist) const {
     Roll roll = start;
     roll.drive(twist);
@@ -55,25 +58,40 @@ struct Keeper {
     return least >= kRoom;
   }
 
-  /// The gap [m] to the keeper, summed over the ticks of a twist with the walls in the way: the sooner the
-  /// robot leaves, the greater. Gaps above `kOff` count as `kOff`; otherwise arcs that rub along the keeper
+  /// The gap [m] to the other, summed over the ticks of a twist with the walls in the way: the sooner the
+  /// robot leaves, the greater. Gaps above `kOff` count as `kOff`; otherwise arcs that rub along the other
   /// but end farther away would win.
   double gapsBy(Twist twist) const {
-    constexpr double kOff = 0.02;    // [m]
-    constexpr double kAhead = 0.25;  // [s] in which a robot from rest passes the keeper's body
+    constexpr double kOff = 0.02;  // [m]
     Roll roll = start;
     double sum = 0.0;
     const int ticks = static_cast<int>(std::lround(kAhead / pitch.tick));
     for (int i = 1; i <= ticks; ++i) {
+      const Vec2 before = roll.place;
       roll.drive(twist);
       roll.place = walled(roll.place, roll.face);
+      if (isBlocked(before, roll)) roll.place = before;
       sum += std::min(kOff, gapAfter(roll, i));
     }
     return sum;
   }
 
+  /// Whether a third robot stops the robot that comes from `before`.
+  bool isBlocked(Vec2 before, const Roll& roll) const {
+    const auto blocks = [&](const RobotState& third) {
+      const Vec2 rel = third.pose.position - roll.place;
+      if (&third == &self || &third == &other || dot(rel, roll.place - before) <= 0.0) return false;
+      return gapOf(pitch.robot_half, rel, roll.face, math::unit(third.pose.heading)) < 0.0;
+    };
+    for (int i = 0; i < picture.seen.team_size; ++i) {
+      if (picture.ownPresent(i) && blocks(picture.own(i))) return true;
+      if (picture.opponentPresent(i) && blocks(picture.opponent(i))) return true;
+    }
+    return false;
+  }
+
   /// `p` moved to where a body with the direction `face` fits between the walls, also in the opponents' goal.
-  /// A wall pushes a turning robot off, perhaps into the keeper.
+  /// A wall pushes a turning robot off, perhaps into the other.
   Vec2 walled(Vec2 p, Vec2 face) const {
     const double half = reach(pitch.robot_half, face, {1.0, 0.0});
     const double post = pitch.goal_half - half;
@@ -82,26 +100,38 @@ struct Keeper {
     return in_mouth ? Vec2{p.x, std::clamp(p.y, -post, post)} : insideWalls(pitch.field, p, half);
   }
 
-  /// The command that brings the robot off the keeper soonest: with either end, turning or not.
-  RobotCommand away() const {
-    const Vec2 off = self.pose.position - keeper.pose.position;
+  /// The twist that brings the robot off the other soonest, with either end, turning or not, and its gaps
+  /// [m] as in `gapsBy`.
+  std::pair<Twist, double> soonest() const {
+    const Vec2 off = self.pose.position - other.pose.position;
+    // Of two equal ways round, the one that the robot faces, so that both hands are alike.
+    const Vec2 beside = perp(off) * (dot(start.face, perp(off)) >= 0.0 ? 1.0 : -1.0);
     const double v = pitch.speed;
     Twist best;
     double most = -1e9;
     for (const Twist twist : {Twist{v, 0.0}, Twist{-v, 0.0}, alongHeading(pitch, self, math::angleOf(off), v),
-                              alongHeading(pitch, self, math::angleOf(perp(off)), v),
-                              alongHeading(pitch, self, math::angleOf(-perp(off)), v), Twist{}}) {
+                              alongHeading(pitch, self, math::angleOf(beside), v),
+                              alongHeading(pitch, self, math::angleOf(-beside), v), Twist{}}) {
       const double gaps = gapsBy(twist);
       if (gaps > most) most = gaps, best = twist;
     }
+    return {best, most};
+  }
+
+  /// Whether third robots and walls keep the robot at the other.
+  bool isTrapped() const { return soonest().second < kTouch * kAhead / pitch.tick; }
+
+  /// The command that brings the robot off the other soonest.
+  RobotCommand away() const {
+    const Twist best = soonest().first;
     if (best.angular != 0.0) return RobotCommand::byTwist(best);
     // Wheel speeds, because a twist would first stop the robot's rotation.
     return RobotCommand::byWheels({best.linear / pitch.wheel_radius, best.linear / pitch.wheel_radius});
   }
 
-  /// The possible command nearest to `wanted` that keeps off the keeper.
+  /// The possible command nearest to `wanted` that keeps off the other.
   RobotCommand kept(Twist wanted) const {
-    const Vec2 off = unitOr(self.pose.position - keeper.pose.position, {-1.0, 0.0});
+    const Vec2 off = unitOr(self.pose.position - other.pose.position, {-1.0, 0.0});
     const Vec2 going = start.face * wanted.linear;
     const double hand = dot(going, perp(off)) >= 0.0 ? 1.0 : -1.0;
     const Twist slide = alongHeading(pitch, self, math::angleOf(perp(off) * hand + off * 0.3), pitch.speed);
@@ -135,6 +165,22 @@ bool ballBetween(const Picture& picture, const RobotState& self, const RobotStat
   return ball.x > 0.0 && ball.x < norm(way) && std::abs(ball.y) < picture.pitch.ball_radius;
 }
 
+/// What a robot does instead of `wanted` if that would bring it to the body; empty: `wanted` is fine.
+std::optional<RobotCommand> clearOf(const Body& body, Twist wanted) {
+  if (body.gap() < kTouch) return body.away();
+  if (!body.allows(wanted)) return body.kept(wanted);
+  return std::nullopt;
+}
+
+/// Whether the robot gives way to its mate: to the keeper, to the striker, and among supports to the one of
+/// smaller rank.
+bool yields(const Picture& picture, int robot, int mate) {
+  const auto order = [&](int i) {
+    return i == picture.keeper ? -2 : i == picture.striker ? -1 : picture.rank[static_cast<std::size_t>(i)];
+  };
+  return order(robot) > order(mate);
+}
+
 }  // namespace
 
 bool atBall(const Pitch& pitch, const RobotState& robot, Vec2 ball) {
@@ -155,9 +201,23 @@ std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twi
     const RobotState& other = picture.opponent(i);
     if (isFar(picture.pitch, self, other)) continue;
     if (ballBetween(picture, self, other)) continue;
-    const Keeper keeper{picture.pitch, self, other};
-    if (keeper.gap() < kTouch) return keeper.away();
-    if (!keeper.allows(wanted)) return keeper.kept(wanted);
+    if (const auto off = clearOf({picture, self, other}, wanted)) return *off;
+  }
+  return std::nullopt;
+}
+
+std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twist wanted) {
+  const RobotState& self = picture.own(robot);
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (i == robot || !picture.ownPresent(i)) continue;
+    const RobotState& mate = picture.own(i);
+    if (isFar(picture.pitch, self, mate)) continue;
+    const Body body{picture, self, mate};
+    if (yields(picture, robot, i)) {
+      if (const auto off = clearOf(body, wanted)) return *off;
+    } else if (body.gap() < kTouch && Body{picture, mate, self}.isTrapped()) {
+      return body.away();
+    }
   }
   return std::nullopt;
 }

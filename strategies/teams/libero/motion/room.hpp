@@ -20,4 +20,9 @@ bool atBall(const Pitch& pitch, const RobotState& robot, Vec2 ball);
 /// a keeper that it touches. Empty: `wanted` is fine.
 std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twist wanted);
 
+/// Mates yield: what `robot` does instead of `wanted` if that would hit a mate that goes first. The keeper
+/// goes before the striker, the striker before the supports. Any robot leaves a mate that cannot yield,
+/// because others and walls hold it. Empty: `wanted` is fine.
+std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twist wanted);
+
 }  // namespace fulbito::libero

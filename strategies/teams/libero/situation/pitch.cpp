@@ -17,6 +17,7 @@ Pitch::Pitch(const MatchInfo& info, const Tuning& tuned)
       half_width(info.field.width / 2),
       goal_half(info.field.goal_width / 2),
       area_half(info.field.goal_area_width / 2),
+      area_front(info.field.goal_area_depth + info.field.goal_area_arc_depth),
       ball_radius(info.ball.radius),
       robot_half(std::max(info.robot.length, info.robot.width) / 2),
       robot_corner(info.robot.circumradius()),

@@ -31,6 +31,7 @@ struct Pitch {
   double half_width;    ///< [m]
   double goal_half;     ///< [m]
   double area_half;     ///< [m] half width of the goal area
+  double area_front;    ///< [m] depth of the goal area with its arc
   double ball_radius;   ///< [m]
   double robot_half;    ///< [m] half of the longer side
   double robot_corner;  ///< [m] centre to corner

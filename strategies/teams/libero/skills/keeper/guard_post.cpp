@@ -12,7 +12,8 @@ namespace {
 bool alongEndWall(const Picture& picture) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.now().position;
-  return ball.x < -pitch.half_length + 0.08 && std::abs(ball.y) > 0.10 && std::abs(ball.y) < 0.5;
+  return ball.x < -pitch.half_length + pitch.touch && std::abs(ball.y) > pitch.bodies &&
+         std::abs(ball.y) < pitch.area_half + pitch.field.goal_area_depth;
 }
 
 }  // namespace
@@ -21,22 +22,22 @@ bool alongEndWall(const Picture& picture) {
 /// mouth, so that a ball pushed along the wall hits the middle of its face. A hit beside the middle would
 /// turn the keeper, and the ball would pass behind it.
 std::optional<Move> guardPost(const Picture& picture, int robot, Memory& /*memory*/) {
-  constexpr double kInFront = 0.03;  // [m] a keeper nearer to the line than the ball can still save a shot
-  constexpr double kLean = 0.15;     // [rad]
   const Pitch& pitch = picture.pitch;
   const RobotState& self = picture.own(robot);
-  if (!alongEndWall(picture) || (picture.ballFrom(robot).x > kInFront && shotComes(picture)))
+  // A keeper nearer to the line than the ball can still save a shot.
+  if (!alongEndWall(picture) || (picture.ballFrom(robot).x > pitch.ball_radius && shotComes(picture)))
     return std::nullopt;
   const Vec2 ball = picture.ball.now().position;
   const double side = ball.y > 0.0 ? 1.0 : -1.0;
-  const Vec2 post{-pitch.half_length + 0.025,
-                  side * std::min(pitch.goal_half - 0.045, std::abs(ball.y) - 0.055)};
+  const Vec2 post{-pitch.half_length + pitch.ball_radius,
+                  side * std::min(pitch.goal_half - pitch.robot_half - pitch.tuning.clearance,
+                                  std::abs(ball.y) - pitch.front)};
   const Vec2 way = post - self.pose.position;
   Move move{.reason = "the ball is at the end wall", .place = post};
   // A keeper that was pushed into the goal must leave it first.
-  if (std::abs(way.y) < 0.02 && way.x < 0.04) {
-    move.twist = turnTo(pitch, self, side * (math::kPi / 2 - kLean));
-    move.twist.linear = std::clamp(4.0 * dot(way, math::unit(self.pose.heading)), -0.2, 0.2);
+  if (std::abs(way.y) < pitch.ball_radius && way.x < pitch.robot_half) {
+    move.twist = turnTo(pitch, self, side * (math::kPi / 2 - pitch.tuning.lean));
+    move.twist.linear = creeping(pitch, dot(way, math::unit(self.pose.heading)));
   } else {
     move.twist = slideTo(picture, self, post.x, post.y);
   }

@@ -13,28 +13,25 @@ namespace {
 /// the ball comes. So the keeper already moves with the ball at the touch. A ball slides along the face of a
 /// keeper that stands still and passes it.
 double lead(const Picture& picture, double line) {
-  constexpr double kShare = 0.6;    // share of the ball's remaining way across
-  constexpr double kLongest = 0.2;  // [s] before the touch
   if (!opponentDribblesAtGoal(picture.seen, picture.ball.now())) return 0.0;
   const Pitch& pitch = picture.pitch;
   const BallState& ball = picture.ball.now();
-  const double gap = ball.position.x - (line + pitch.robot_half + pitch.ball_radius);
-  const double time = std::clamp(gap / -ball.velocity.x, 0.0, kLongest);
-  return -kShare * ball.velocity.y * time;
+  const double gap = ball.position.x - (line + pitch.front);
+  const double time = std::clamp(gap / -ball.velocity.x, 0.0, pitch.turn_time);
+  return -picture.tuning.keeper_share * ball.velocity.y * time;
 }
 
 }  // namespace
 
 std::optional<Move> standInGoal(const Picture& picture, int robot, Memory& /*memory*/) {
-  constexpr double kReach = 0.175;  // [m] greatest |y| of the keeper on its line
-  constexpr double kPast = 0.05;    // [m] past a post
   const Pitch& pitch = picture.pitch;
   const double line = keeperLine(pitch);
   const auto shot = crossing(picture, line + pitch.ball_radius);
-  const bool comes = shot && std::abs(*shot) < pitch.goal_half + kPast;
-  const double wanted =
-      comes ? *shot + lead(picture, line) : equalGapPoint(pitch.field, picture.ball.at(0.05), kDepth).y;
-  const double y = std::clamp(wanted, -kReach, kReach);
+  const bool comes = shot && std::abs(*shot) < pitch.goal_half + pitch.robot_corner;
+  const double wanted = comes ? *shot + lead(picture, line)
+                              : equalGapPoint(pitch.field, picture.ball.sample(1), keeperDepth(pitch)).y;
+  const double most = pitch.goal_half - pitch.ball_radius;
+  const double y = std::clamp(wanted, -most, most);
   return Move{.twist = slideTo(picture, picture.own(robot), line, y),
               .reason = comes ? "the ball will cross the line there" : "both gaps are equal there",
               .place = Vec2{line, y}};

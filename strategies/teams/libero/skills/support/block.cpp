@@ -4,9 +4,11 @@
 namespace fulbito::libero::support {
 
 std::optional<Move> block(const Picture& picture, int robot, Memory& /*memory*/) {
-  constexpr double kDeep = 0.45;  // [m] from our goal line; nearer, the robot would be pushed into the area
   const RobotState& self = picture.own(robot);
-  if (self.pose.position.x <= -picture.pitch.half_length + kDeep || !canBlockDribble(picture, self))
+  const Pitch& pitch = picture.pitch;
+  // Nearer to our goal line, the robot would be pushed into the area.
+  if (self.pose.position.x <= -pitch.half_length + pitch.area_front + 2 * pitch.around ||
+      !canBlockDribble(picture, self))
     return std::nullopt;
   return blockDribble(picture, self);
 }

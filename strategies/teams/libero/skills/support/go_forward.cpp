@@ -6,11 +6,14 @@
 namespace fulbito::libero::support {
 
 std::optional<Move> goForward(const Picture& picture, int robot, Memory& /*memory*/) {
+  const Pitch& pitch = picture.pitch;
   const Vec2 ball = ballAhead(picture);
-  if (picture.rank[static_cast<std::size_t>(robot)] > 0 || ball.x <= 0.45 - 0.6 * picture.tuning.aggression)
+  if (picture.rank[static_cast<std::size_t>(robot)] > 0 ||
+      ball.x <= pitch.half_length / 2 * (1.0 - 2.0 * picture.tuning.aggression))
     return std::nullopt;
   const double far_side = farSide(ball, picture.own(robot).pose.position);
-  const Vec2 place{std::min(ball.x - 0.2, picture.pitch.half_length - 0.35), far_side * 0.18};
+  const Vec2 place{std::min(ball.x - 2 * pitch.bodies, pitch.half_length - pitch.area_front - pitch.around),
+                   far_side * pitch.goal_half};
   return standBy(picture, robot, place, "the ball is far forward");
 }
 

@@ -12,10 +12,11 @@ std::optional<Move> outlet(const Picture& picture, int robot, Memory& /*memory*/
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = ballAhead(picture);
   const double far_side = ball.y > 0.0 ? -1.0 : 1.0;
-  const double back = -pitch.half_length + pitch.field.big_area_depth + 0.15;
-  const Vec2 place = rank == 2
-                         ? Vec2{std::clamp(ball.x - 0.5, back, pitch.half_length - 0.5), far_side * 0.45}
-                         : Vec2{std::clamp(ball.x - 0.55, back, 0.0), far_side * 0.2};
+  const double back = -pitch.half_length + pitch.field.big_area_depth + pitch.bodies;
+  const double gap = picture.tuning.behind + pitch.around;
+  const Vec2 place = rank == 2 ? Vec2{std::clamp(ball.x - gap, back, pitch.half_length - gap),
+                                      far_side * pitch.half_width / 2}
+                               : Vec2{std::clamp(ball.x - gap, back, 0.0), far_side * pitch.goal_half};
   return standBy(picture, robot, place, rank == 2 ? "third without the ball" : "fourth without the ball");
 }
 

@@ -22,7 +22,7 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
   for (int run = 0; run < 400; ++run) {
     const bool own = run % 2 == 0;
     const double sign = own ? 1.0 : -1.0;
-    const double least = own ? libero::kOwnMargin : libero::kTheirMargin + pitch.robot_corner;
+    const double least = own ? pitch.tuning.area_margin : pitch.tuning.area_margin + pitch.robot_corner;
     const auto outside = [&](Vec2 p) { return distanceToArea(info.field, p, own); };
     Observation seen;
     seen.team_size = 3;

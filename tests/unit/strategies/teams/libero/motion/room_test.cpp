@@ -136,6 +136,39 @@ TEST_CASE("libero brakes or turns off before a keeper that it drives at, unless 
   CHECK((leaves->kind == RobotCommand::Kind::kWheels ? leaves->wheels.left : leaves->twist.linear) < 0.0);
 }
 
+TEST_CASE("of two mates that converge the one of lower role gives way, unless others hold it", "[unit]") {
+  const MatchInfo info = test::infoOf(3);
+  const libero::Pitch pitch(info);
+  const libero::Settings settings;
+  libero::BallForecast ball;
+  Observation seen;
+  seen.own[0] = test::standingAt({{-0.71, 0.0}, math::kPi / 2});
+  seen.own[1] = test::standingAt({{-0.2, 0.0}, 0.0});
+  seen.own[2] = test::standingAt({{-0.2 + 2.5 * pitch.robot_half, 0.0}, 0.0});
+  libero::Picture picture{seen, pitch, settings, ball};
+  picture.keeper = 0, picture.striker = 1;
+  const auto off = [&](int robot, double speed) {
+    return libero::clearOfMates(picture, robot, {speed * pitch.speed, 0.0});
+  };
+  // Robot 1 stands behind robot 2 and goes first.
+  CHECK_FALSE(off(1, 1.0));
+  seen.own[2].state.velocity = {-0.5 * pitch.speed, 0.0};
+  CHECK(off(2, -1.0));
+  seen.own[2].state.velocity = {};
+  CHECK_FALSE(off(2, 1.0));
+  // In contact, the lower leaves whatever it wants.
+  seen.own[2].state.pose.position.x = -0.2 + 2.0 * pitch.robot_half + 0.001;
+  CHECK_FALSE(off(1, 1.0));
+  CHECK(off(2, 0.0));
+  // An opponent on each other side holds the lower, so the higher leaves.
+  const Vec2 held = seen.own[2].state.pose.position;
+  const double apart = 2.0 * pitch.robot_half + 0.001;
+  seen.opponents[0] = test::standingAt({held + Vec2{apart, 0.0}, 0.0});
+  seen.opponents[1] = test::standingAt({held + Vec2{0.0, apart}, 0.0});
+  seen.opponents[2] = test::standingAt({held - Vec2{0.0, apart}, 0.0});
+  CHECK(off(1, 1.0));
+}
+
 TEST_CASE("who touches the ball disputes it", "[unit]") {
   const libero::Pitch pitch(test::infoOf(3));
   RobotState robot;
