@@ -173,8 +173,9 @@ std::optional<RobotCommand> clearOf(const Body& body, Twist wanted) {
 }
 
 /// Whether the robot gives way to its mate: to the keeper, to the striker, and among supports to the one of
-/// smaller rank.
+/// smaller rank. A striker at the ball stays there, since opponents would take it past the keeper.
 bool yields(const Picture& picture, int robot, int mate) {
+  if (robot == picture.striker && picture.disputes(robot)) return false;
   const auto order = [&](int i) {
     return i == picture.keeper ? -2 : i == picture.striker ? -1 : picture.rank[static_cast<std::size_t>(i)];
   };
