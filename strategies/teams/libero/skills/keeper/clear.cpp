@@ -11,11 +11,7 @@
 namespace fulbito::libero::keeper {
 namespace {
 
-constexpr double kStuck = 2.0;   // [s] after which the keeper clears even if opponents are near
-constexpr double kLeash = 0.30;  // [m] greatest distance from the goal's centre of a ball for which it leaves
-
-/// Whether the keeper may leave its goal for a ball there.
-bool onLeash(const Pitch& pitch, Vec2 ball) { return squaredNorm(ball - pitch.ownGoal()) < kLeash * kLeash; }
+constexpr double kStuck = 2.0;  // [s] after which the keeper clears even if opponents are near
 
 /// Whether the keeper reaches a ball near the goal before any opponent. For a fast ball it keeps its line,
 /// since a keeper that turns to clear opens a gap. Fast balls along the end wall are an exception.
@@ -23,6 +19,7 @@ bool comesFirst(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
   constexpr double kSlow = 0.6;  // [m/s]
   const Vec2 ball = picture.ball.at(0.1);
+  if (ball.x > -pitch.half_length + 0.24 || std::abs(ball.y) > 0.36) return false;
   const BallState& now = picture.ball.now();
   if (now.position.x > -pitch.half_length + 0.06 && squaredNorm(now.velocity) > kSlow * kSlow) return false;
   const double mine = timeToReach(pitch.pace, self, ball);
@@ -45,11 +42,10 @@ bool meetsAlongWall(const Picture& picture, const RobotState& self) {
   const BallState& ball = picture.ball.now();
   const double out = ball.position.y >= 0.0 ? 1.0 : -1.0;
   const double y = ball.position.y * out;
-  if (ball.position.x > -pitch.half_length + kStrip || y < pitch.goal_half - 0.02) return false;
-  if (ball.velocity.y * out < -kFastest) return false;
-  if (self.pose.position.x > -pitch.half_length + kOwnStrip || self.pose.position.y * out > y - kBetween)
+  if (ball.position.x > -pitch.half_length + kStrip || y < pitch.goal_half - 0.02 || y > kFarthest)
     return false;
-  return y < kFarthest;
+  if (ball.velocity.y * out < -kFastest) return false;
+  return self.pose.position.x < -pitch.half_length + kOwnStrip && self.pose.position.y * out < y - kBetween;
 }
 
 /// Pushes a near ball out to the side, away from the goal; empty if the keeper is not on the goal's side of
@@ -83,9 +79,8 @@ std::optional<Twist> pushAside(const Picture& picture, const RobotState& self) {
 std::optional<Move> clear(const Picture& picture, int robot, Memory& /*memory*/) {
   const RobotState& self = picture.own(robot);
   const Vec2 ball = picture.ball.now().position;
-  const bool near = onLeash(picture.pitch, ball);
-  const bool stuck = near && picture.stuck > kStuck && isInArea(picture.pitch.field, ball, true, 0.05);
-  const bool first = near && !stuck && comesFirst(picture, self);
+  const bool stuck = picture.stuck > kStuck && isInArea(picture.pitch.field, ball, true, 0.05);
+  const bool first = !stuck && comesFirst(picture, self);
   if (!stuck && !first && !meetsAlongWall(picture, self)) return std::nullopt;
   if (shotComes(picture)) return std::nullopt;
   const auto twist = pushAside(picture, self);

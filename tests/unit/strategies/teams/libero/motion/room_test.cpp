@@ -139,13 +139,12 @@ TEST_CASE("libero brakes or turns off before a keeper that it drives at, unless 
 TEST_CASE("of two mates that converge the one of lower role gives way, unless others hold it", "[unit]") {
   const MatchInfo info = test::infoOf(3);
   const libero::Pitch pitch(info);
-  const libero::Settings settings;
   libero::BallForecast ball;
   Observation seen;
   seen.own[0] = test::standingAt({{-0.71, 0.0}, math::kPi / 2});
   seen.own[1] = test::standingAt({{-0.2, 0.0}, 0.0});
   seen.own[2] = test::standingAt({{-0.2 + 2.5 * pitch.robot_half, 0.0}, 0.0});
-  libero::Picture picture{seen, pitch, settings, ball};
+  libero::Picture picture{seen, pitch, ball};
   picture.keeper = 0, picture.striker = 1;
   const auto off = [&](int robot, double speed) {
     return libero::clearOfMates(picture, robot, {speed * pitch.speed, 0.0});
