@@ -176,8 +176,13 @@ std::optional<RobotCommand> clearOf(const Body& body, Twist wanted) {
 }
 
 /// Whether the robot gives way to its mate: to the keeper, to the striker, and among supports to the one of
-/// smaller rank.
+/// smaller rank. A striker at the ball stays there, since opponents would take it past the keeper. A keeper
+/// out of its goal leaves that ball to the striker.
 bool yields(const Picture& picture, int robot, int mate) {
+  const auto at_ball = [&](int i) { return i == picture.striker && picture.disputes(i); };
+  if (at_ball(robot)) return false;
+  if (robot == picture.keeper && at_ball(mate))
+    return std::abs(picture.own(robot).pose.position.y) > picture.pitch.goal_half + picture.pitch.robot_half;
   const auto order = [&](int i) {
     return i == picture.keeper ? -2 : i == picture.striker ? -1 : picture.rank[static_cast<std::size_t>(i)];
   };

@@ -11,18 +11,15 @@
 namespace fulbito::libero::keeper {
 namespace {
 
-/// Whether the keeper may leave its goal for a ball there.
-bool onLeash(const Pitch& pitch, Vec2 ball) {
-  return distance(ball, pitch.ownGoal()) < pitch.area_front + pitch.bodies;
-}
-
 /// Whether the keeper reaches a ball near the goal before any opponent. For a fast ball it keeps its line,
 /// since a keeper that turns to clear opens a gap. Fast balls along the end wall are an exception.
 bool comesFirst(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.sample(2);
+  const double deep = pitch.area_front + pitch.robot_half, wide = pitch.area_half + pitch.tuning.clearance;
+  if (ball.x > -pitch.half_length + deep || std::abs(ball.y) > wide) return false;
   const BallState& now = picture.ball.now();
-  if (now.position.x > -pitch.half_length + pitch.front && norm(now.velocity) > picture.tuning.pushable)
+  if (now.position.x > -pitch.half_length + pitch.front && norm(now.velocity) > picture.tuning.touch_speed)
     return false;
   const double mine = timeToReach(pitch.pace, self, ball);
   for (int i = 0; i < picture.seen.team_size; ++i) {
@@ -39,13 +36,13 @@ bool meetsAlongWall(const Picture& picture, const RobotState& self) {
   const BallState& ball = picture.ball.now();
   const double out = ball.position.y >= 0.0 ? 1.0 : -1.0;
   const double y = ball.position.y * out;
-  if (ball.position.x > -pitch.half_length + pitch.front || y < pitch.goal_half - pitch.ball_radius)
-    return false;
+  const bool beside = y > pitch.goal_half - pitch.ball_radius && y < pitch.area_half + pitch.goal_half;
+  if (ball.position.x > -pitch.half_length + pitch.front || !beside) return false;
   // A fast ball arrives before the keeper.
   if (ball.velocity.y * out < -picture.tuning.pushable) return false;
-  const bool off_wall = self.pose.position.x > -pitch.half_length + pitch.touch + pitch.tuning.clearance;
-  if (off_wall || self.pose.position.y * out > y - pitch.ball_radius) return false;
-  return y < pitch.area_half + pitch.goal_half;
+  const double off_wall = pitch.touch + pitch.tuning.clearance;
+  return self.pose.position.x < -pitch.half_length + off_wall &&
+         self.pose.position.y * out < y - pitch.ball_radius;
 }
 
 /// Pushes a near ball out to the side, away from the goal; empty if the keeper is not on the goal's side of
@@ -79,10 +76,9 @@ std::optional<Twist> pushAside(const Picture& picture, const RobotState& self) {
 std::optional<Move> clear(const Picture& picture, int robot, Memory& /*memory*/) {
   const RobotState& self = picture.own(robot);
   const Vec2 ball = picture.ball.now().position;
-  const bool near = onLeash(picture.pitch, ball);
-  const bool stuck = near && picture.stuck > picture.tuning.patience &&
+  const bool stuck = picture.stuck > picture.tuning.patience &&
                      isInArea(picture.pitch.field, ball, true, picture.pitch.robot_corner);
-  const bool first = near && !stuck && comesFirst(picture, self);
+  const bool first = !stuck && comesFirst(picture, self);
   if (!stuck && !first && !meetsAlongWall(picture, self)) return std::nullopt;
   if (shotComes(picture)) return std::nullopt;
   const auto twist = pushAside(picture, self);

@@ -1,14 +1,17 @@
+#include <cmath>
+
 #include "strategies/teams/libero/attack/places.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
 
 namespace fulbito::libero::support {
 
-/// The keeper leaves its goal along the end wall only, for balls beside the area.
+/// The keeper leaves its goal along the end wall, for balls beside the area.
 std::optional<Move> cover(const Picture& picture, int robot, Memory& /*memory*/) {
   const Pitch& pitch = picture.pitch;
   if (picture.keeper < 0 || picture.rank[static_cast<std::size_t>(robot)] > 0) return std::nullopt;
+  if (std::abs(picture.own(picture.keeper).pose.position.y) < pitch.goal_half) return std::nullopt;
   if (ballAhead(picture).x > -pitch.half_length + pitch.field.goal_area_depth) return std::nullopt;
-  return travel(picture, robot, coverPlace(picture), "the keeper may leave the goal");
+  return travel(picture, robot, coverPlace(picture), "the keeper is out of its goal");
 }
 
 }  // namespace fulbito::libero::support
