@@ -25,7 +25,7 @@ bool mateIsIn(const Picture& picture) {
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (i == picture.striker || !picture.ownPresent(i)) continue;
     if (distanceToArea(picture.pitch.field, picture.own(i).pose.position, false) <
-        picture.pitch.robot_corner + 0.004)
+        picture.pitch.robot_corner + picture.tuning.clearance / 2)
       return true;
   }
   return false;

@@ -93,12 +93,13 @@ class Libero final : public Strategy {
     stuck_ = 0.0;
   }
 
-  /// Measures which own robots have touched the ball recently.
+  /// Measures which own robots have touched the ball recently. Referees allow 0.5 s (law 13), in which a
+  /// robot has time to stop and to leave a keeper that presses.
   void watchTouches(const Observation& seen) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(seen.team_size); ++i) {
       double& left = dispute_left_[i];
-      left =
-          atBall(pitch_, seen.own[i].state, seen.ball.position) ? kDisputes : std::max(0.0, left - seen.dt);
+      left = atBall(pitch_, seen.own[i].state, seen.ball.position) ? pitch_.turn_time
+                                                                   : std::max(0.0, left - seen.dt);
       if (!seen.playing || !seen.own[i].present) left = 0.0;
     }
   }

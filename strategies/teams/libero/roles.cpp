@@ -9,14 +9,13 @@
 namespace fulbito::libero {
 namespace {
 
-/// Whether the ball will be in or near the own area in 0.3 s, with a keeper there. Opponents would push a
-/// field player that follows it into the area.
+/// Whether the ball will be in or near the own area by the time a robot has turned round, with a keeper
+/// there. Opponents would push a field player that follows it into the area.
 bool ballIsKeepers(const Picture& picture) {
-  constexpr double kAhead = 0.3;    // [s]
-  constexpr double kMargin = 0.06;  // [m]
-  const Vec2 ball = picture.ball.at(kAhead);
-  return picture.keeper >= 0 && isInArea(picture.pitch.field, ball, true, kMargin) &&
-         std::abs(ball.y) < picture.pitch.area_half;
+  const Pitch& pitch = picture.pitch;
+  const Vec2 ball = picture.ball.at(2 * pitch.turn_time);
+  return picture.keeper >= 0 && isInArea(pitch.field, ball, true, pitch.front) &&
+         std::abs(ball.y) < pitch.area_half;
 }
 
 /// While the ball is the keeper's, the striker comes last: the support stays where it is.
@@ -60,10 +59,7 @@ void Roles::chooseKeeper(const Picture& picture) {
 // better.
 bool Roles::chooseStriker(Picture& picture) {
   if (picture.seen.playing) held_ += picture.seen.dt;
-  // [s] advantage of a striker in their area, which the next one may enter only after it has left
-  constexpr double kStays = 0.5;
-  // [s] smaller differences are rounding errors, which differ between the two sides
-  constexpr double kAlike = 1e-9;
+  const Tuning& tuning = picture.tuning;
   int best = -1;
   double least = 1e9;
   for (int i = 0; i < picture.seen.team_size; ++i) {
@@ -71,13 +67,17 @@ bool Roles::chooseStriker(Picture& picture) {
     const Interception meet = interception(picture, picture.own(i));
     picture.interceptions[static_cast<std::size_t>(i)] = meet;
     double cost = meet.time;
-    if (picture.own(i).pose.position.x > meet.ball.x) cost += 0.3;
-    if (i == striker_)
-      cost -= isInArea(picture.pitch.field, picture.own(i).pose.position, false, 0.05) ? kStays : 0.2;
-    if (cost < least - kAlike) least = cost, best = i;
+    if (picture.own(i).pose.position.x > meet.ball.x) cost += tuning.behind_price;
+    // The next striker may enter their area only after this one has left it.
+    const bool in_theirs =
+        isInArea(picture.pitch.field, picture.own(i).pose.position, false, picture.pitch.robot_corner);
+    if (i == striker_) cost -= in_theirs ? 2 * tuning.stays : tuning.stays;
+    // Smaller differences are rounding errors, which differ between the two sides.
+    if (cost < least - 1e-9) least = cost, best = i;
   }
   if (best == striker_) return false;
-  if (striker_ >= 0 && striker_ != keeper_ && picture.ownPresent(striker_) && held_ < 0.4) return false;
+  if (striker_ >= 0 && striker_ != keeper_ && picture.ownPresent(striker_) && held_ < 2 * tuning.stays)
+    return false;
   striker_ = best;
   held_ = 0.0;
   return true;

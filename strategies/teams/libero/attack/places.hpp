@@ -6,7 +6,7 @@
 
 namespace fulbito::libero {
 
-/// The ball [m] that robots without the ball look at: 0.15 s ahead.
+/// The ball [m] that robots without the ball look at: after the time of a quarter turn.
 Vec2 ballAhead(const Picture& picture);
 
 /// The side of the field without the ball: +1 or -1. For a ball in the middle, as at a penalty, it is the

@@ -13,10 +13,11 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kTouch = 0.005;  // [m] bodies with a smaller gap count as touching
-constexpr double kRoom = 0.006;   // [m] gap that robots keep to a keeper
-constexpr double kAhead = 0.25;   // [s] in which a robot from rest passes another's body
-constexpr double kNear = 0.40;    // [m] robots farther apart cannot meet within the horizon
+/// [m] bodies with a smaller gap count as touching.
+double touchGap(const Pitch& pitch) { return pitch.tuning.clearance / 2; }
+
+/// Ticks in which a robot from rest passes another's body.
+double passTicks(const Pitch& pitch) { return timeAlong(pitch.pace, 2 * pitch.bodies, 0.0) / pitch.tick; }
 
 /// Half the extent [m] of a square of half size `half` along a side of another square. `a` and `b` are unit
 /// vectors along a side of each; all pairs of sides give the same extent.
@@ -55,23 +56,23 @@ struct Body {
       roll.brake();
       least = std::min(least, gapAfter(roll, i));
     }
-    return least >= kRoom;
+    return least >= pitch.tuning.body_gap;
   }
 
   /// The gap [m] to the other, summed over the ticks of a twist with the walls in the way: the sooner the
-  /// robot leaves, the greater. Gaps above `kOff` count as `kOff`; otherwise arcs that rub along the other
-  /// but end farther away would win.
+  /// robot leaves, the greater. Gaps above the ball's radius count as that; otherwise arcs that rub along the
+  /// other but end farther away would win.
   double gapsBy(Twist twist) const {
-    constexpr double kOff = 0.02;  // [m]
+    const double most = pitch.ball_radius;
     Roll roll = start;
     double sum = 0.0;
-    const int ticks = static_cast<int>(std::lround(kAhead / pitch.tick));
+    const int ticks = static_cast<int>(std::lround(passTicks(pitch)));
     for (int i = 1; i <= ticks; ++i) {
       const Vec2 before = roll.place;
       roll.drive(twist);
       roll.place = walled(roll.place, roll.face);
       if (isBlocked(before, roll)) roll.place = before;
-      sum += std::min(kOff, gapAfter(roll, i));
+      sum += std::min(most, gapAfter(roll, i));
     }
     return sum;
   }
@@ -95,8 +96,8 @@ struct Body {
   Vec2 walled(Vec2 p, Vec2 face) const {
     const double half = reach(pitch.robot_half, face, {1.0, 0.0});
     const double post = pitch.goal_half - half;
-    const bool in_mouth =
-        p.x > pitch.half_length - half && std::abs(p.y) < pitch.goal_half - pitch.robot_half + kRoom;
+    const bool in_mouth = p.x > pitch.half_length - half &&
+                          std::abs(p.y) < pitch.goal_half - pitch.robot_half + pitch.tuning.body_gap;
     return in_mouth ? Vec2{p.x, std::clamp(p.y, -post, post)} : insideWalls(pitch.field, p, half);
   }
 
@@ -119,7 +120,7 @@ struct Body {
   }
 
   /// Whether third robots and walls keep the robot at the other.
-  bool isTrapped() const { return soonest().second < kTouch * kAhead / pitch.tick; }
+  bool isTrapped() const { return soonest().second < touchGap(pitch) * passTicks(pitch); }
 
   /// The command that brings the robot off the other soonest.
   RobotCommand away() const {
@@ -134,28 +135,30 @@ struct Body {
     const Vec2 off = unitOr(self.pose.position - other.pose.position, {-1.0, 0.0});
     const Vec2 going = start.face * wanted.linear;
     const double hand = dot(going, perp(off)) >= 0.0 ? 1.0 : -1.0;
-    const Twist slide = alongHeading(pitch, self, math::angleOf(perp(off) * hand + off * 0.3), pitch.speed);
+    const Twist slide =
+        alongHeading(pitch, self, math::angleOf(perp(off) * hand + off * 2 * pitch.tuning.lean), pitch.speed);
     if (allows(slide)) return RobotCommand::byTwist(slide);
     if (allows({0.0, slide.angular})) return RobotCommand::byTwist({0.0, slide.angular});
     return away();
   }
 };
 
-/// Whether the opponent is in its own area or about to enter it: such opponents count as keepers.
+/// Whether the opponent is in its own area or enters it before a robot could turn away: such opponents count
+/// as keepers.
 bool keeps(const Picture& picture, int opponent) {
-  constexpr double kSoon = 0.2;  // [s] about the time to stop or turn away
   if (!picture.opponentPresent(opponent)) return false;
   const RobotState& other = picture.opponent(opponent);
   return isInArea(picture.pitch.field, other.pose.position, false) ||
-         isInArea(picture.pitch.field, other.pose.position + other.velocity * kSoon, false);
+         isInArea(picture.pitch.field, other.pose.position + other.velocity * picture.pitch.turn_time, false);
 }
 
 /// Whether the two cannot meet before the robot rests, at any heading.
 bool isFar(const Pitch& pitch, const RobotState& self, const RobotState& keeper) {
   const double ways =
       mostWay(pitch, norm(self.velocity)) + norm(keeper.velocity) * (ticksToRest(pitch) * pitch.tick);
-  const double apart = ways + 2.0 * (pitch.robot_corner + kRoom);
-  return squaredNorm(keeper.pose.position - self.pose.position) > std::min(kNear * kNear, apart * apart);
+  const double near = 4 * pitch.bodies;  // no robot has time to come from farther
+  const double apart = ways + pitch.bodies + 2 * pitch.tuning.body_gap;
+  return squaredNorm(keeper.pose.position - self.pose.position) > std::min(near * near, apart * apart);
 }
 
 /// Whether the ball lies between the two. Then the robot meets the keeper at the ball, which is allowed.
@@ -167,7 +170,7 @@ bool ballBetween(const Picture& picture, const RobotState& self, const RobotStat
 
 /// What a robot does instead of `wanted` if that would bring it to the body; empty: `wanted` is fine.
 std::optional<RobotCommand> clearOf(const Body& body, Twist wanted) {
-  if (body.gap() < kTouch) return body.away();
+  if (body.gap() < touchGap(body.pitch)) return body.away();
   if (!body.allows(wanted)) return body.kept(wanted);
   return std::nullopt;
 }
@@ -190,12 +193,12 @@ bool yields(const Picture& picture, int robot, int mate) {
 
 bool atBall(const Pitch& pitch, const RobotState& robot, Vec2 ball) {
   const Vec2 way = ball - robot.pose.position;
-  const double farthest = pitch.robot_corner + pitch.ball_radius + kTouch;
+  const double farthest = pitch.touch + touchGap(pitch);
   if (squaredNorm(way) > farthest * farthest) return false;
   const Vec2 local = intoFrame(math::unit(robot.pose.heading), way);
   const Vec2 outside{std::max(0.0, std::abs(local.x) - pitch.robot_half),
                      std::max(0.0, std::abs(local.y) - pitch.robot_half)};
-  return norm(outside) < pitch.ball_radius + kTouch;
+  return norm(outside) < pitch.ball_radius + touchGap(pitch);
 }
 
 std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twist wanted) {
@@ -220,7 +223,7 @@ std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twis
     const Body body{picture, self, mate};
     if (yields(picture, robot, i)) {
       if (const auto off = clearOf(body, wanted)) return *off;
-    } else if (body.gap() < kTouch && Body{picture, mate, self}.isTrapped()) {
+    } else if (body.gap() < touchGap(picture.pitch) && Body{picture, mate, self}.isTrapped()) {
       return body.away();
     }
   }

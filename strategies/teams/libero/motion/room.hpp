@@ -9,10 +9,6 @@
 /// foul. So the keeper is an obstacle to all robots that are not at the ball.
 namespace fulbito::libero {
 
-/// [s] after a touch of the ball, in which a robot still disputes it. Referees allow 0.5 s. Of that, 0.2 s
-/// are needed to stop from full speed, and some more to leave a keeper that presses.
-inline constexpr double kDisputes = 0.15;
-
 /// Whether `robot` touches the ball.
 bool atBall(const Pitch& pitch, const RobotState& robot, Vec2 ball);
 

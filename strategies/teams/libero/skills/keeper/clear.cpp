@@ -11,17 +11,16 @@
 namespace fulbito::libero::keeper {
 namespace {
 
-constexpr double kStuck = 2.0;  // [s] after which the keeper clears even if opponents are near
-
 /// Whether the keeper reaches a ball near the goal before any opponent. For a fast ball it keeps its line,
 /// since a keeper that turns to clear opens a gap. Fast balls along the end wall are an exception.
 bool comesFirst(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
-  constexpr double kSlow = 0.6;  // [m/s]
-  const Vec2 ball = picture.ball.at(0.1);
-  if (ball.x > -pitch.half_length + 0.24 || std::abs(ball.y) > 0.36) return false;
+  const Vec2 ball = picture.ball.sample(2);
+  const double deep = pitch.area_front + pitch.robot_half, wide = pitch.area_half + pitch.tuning.clearance;
+  if (ball.x > -pitch.half_length + deep || std::abs(ball.y) > wide) return false;
   const BallState& now = picture.ball.now();
-  if (now.position.x > -pitch.half_length + 0.06 && squaredNorm(now.velocity) > kSlow * kSlow) return false;
+  if (now.position.x > -pitch.half_length + pitch.front && norm(now.velocity) > picture.tuning.touch_speed)
+    return false;
   const double mine = timeToReach(pitch.pace, self, ball);
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (picture.opponentPresent(i) && timeToReach(pitch.pace, picture.opponent(i), ball) < mine) return false;
@@ -33,41 +32,39 @@ bool comesFirst(const Picture& picture, const RobotState& self) {
 /// behind the keeper, and no ball passes it. At the post an opponent would arrive at full speed, push beside
 /// the keeper's centre and turn it, and the ball would go in.
 bool meetsAlongWall(const Picture& picture, const RobotState& self) {
-  constexpr double kStrip = 0.06;     // [m] greatest distance of the ball from the wall
-  constexpr double kOwnStrip = 0.09;  // [m] greatest distance of the keeper from the wall
-  constexpr double kFarthest = 0.55;  // [m] greatest |y| of the ball
-  constexpr double kFastest = 1.0;    // [m/s] toward the goal; a faster ball arrives before the keeper
-  constexpr double kBetween = 0.03;   // [m] by which the keeper must be nearer to the goal's middle
   const Pitch& pitch = picture.pitch;
   const BallState& ball = picture.ball.now();
   const double out = ball.position.y >= 0.0 ? 1.0 : -1.0;
   const double y = ball.position.y * out;
-  if (ball.position.x > -pitch.half_length + kStrip || y < pitch.goal_half - 0.02 || y > kFarthest)
-    return false;
-  if (ball.velocity.y * out < -kFastest) return false;
-  return self.pose.position.x < -pitch.half_length + kOwnStrip && self.pose.position.y * out < y - kBetween;
+  const bool beside = y > pitch.goal_half - pitch.ball_radius && y < pitch.area_half + pitch.goal_half;
+  if (ball.position.x > -pitch.half_length + pitch.front || !beside) return false;
+  // A fast ball arrives before the keeper.
+  if (ball.velocity.y * out < -picture.tuning.pushable) return false;
+  const double off_wall = pitch.touch + pitch.tuning.clearance;
+  return self.pose.position.x < -pitch.half_length + off_wall &&
+         self.pose.position.y * out < y - pitch.ball_radius;
 }
 
 /// Pushes a near ball out to the side, away from the goal; empty if the keeper is not on the goal's side of
 /// the ball.
 std::optional<Twist> pushAside(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
-  const Vec2 ball = picture.ball.at(0.05);
+  const Vec2 ball = picture.ball.sample(1);
   const Vec2 rel = ball - self.pose.position;
   // A keeper that was pushed into the mouth with the ball in front has no wall behind it. It pushes out a
   // ball that is stuck there, but only after a while, because its turn may let the ball in.
-  const bool in_mouth = picture.stuck > 2 * kStuck &&
-                        std::abs(ball.y) < pitch.goal_half - pitch.ball_radius &&
-                        self.pose.position.x < ball.x - 0.03;
-  const bool at_wall = !in_mouth && ball.x < -pitch.half_length + pitch.ball_radius + 0.04;
+  const bool in_mouth = picture.stuck > 2 * picture.tuning.patience &&
+                        std::abs(ball.y) < pitch.goal_half - pitch.ball_radius && rel.x > pitch.ball_radius;
+  const bool at_wall = !in_mouth && ball.x < -pitch.half_length + pitch.front;
   const double out = ball.y >= 0.0 ? 1.0 : -1.0;
-  const bool beside = rel.x < 0.03 && std::abs(rel.x) < 0.05 && rel.y * out > 0.04;
+  const bool beside =
+      rel.x < pitch.ball_radius && rel.x > -pitch.robot_corner && rel.y * out > pitch.robot_half;
   if (at_wall || beside) {
-    if (rel.y * out < 0.02) return std::nullopt;
-    return passThrough(pitch, self, {std::max(ball.x, keeperLine(pitch)), ball.y + 0.1 * out});
+    if (rel.y * out < pitch.ball_radius) return std::nullopt;
+    return passThrough(pitch, self, {std::max(ball.x, keeperLine(pitch)), ball.y + pitch.bodies * out});
   }
-  if (rel.x < 0.02) return std::nullopt;
-  const Vec2 way = unitOr(rel, {1.0, 0.0}) + Vec2{0.3, out * 0.4};
+  if (rel.x < pitch.ball_radius) return std::nullopt;
+  const Vec2 way = unitOr(rel, {1.0, 0.0}) + Vec2{0.0, out * pitch.tuning.lean};
   int side = 0;
   const double heading =
       approachHeading(pitch, self.pose.position, ball, math::angleOf(way), roundRadius(pitch), side);
@@ -79,7 +76,8 @@ std::optional<Twist> pushAside(const Picture& picture, const RobotState& self) {
 std::optional<Move> clear(const Picture& picture, int robot, Memory& /*memory*/) {
   const RobotState& self = picture.own(robot);
   const Vec2 ball = picture.ball.now().position;
-  const bool stuck = picture.stuck > kStuck && isInArea(picture.pitch.field, ball, true, 0.05);
+  const bool stuck = picture.stuck > picture.tuning.patience &&
+                     isInArea(picture.pitch.field, ball, true, picture.pitch.robot_corner);
   const bool first = !stuck && comesFirst(picture, self);
   if (!stuck && !first && !meetsAlongWall(picture, self)) return std::nullopt;
   if (shotComes(picture)) return std::nullopt;

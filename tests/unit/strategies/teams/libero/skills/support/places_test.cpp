@@ -29,9 +29,9 @@ TEST_CASE("libero's robots without the ball have places on the field, off the ba
         const Vec2 place =
             play_book->decide(libero::Role::kSupport, picture, robot, memory).place.value_or(Vec2{});
         CHECK(wallClearance(info.field, place) > pitch.robot_half);
-        CHECK_FALSE(isInArea(info.field, place, true, 0.07 - 1e-9));
+        CHECK_FALSE(isInArea(info.field, place, true, pitch.touch - 1e-9));
         const bool in_theirs = isInArea(info.field, seen.ball.position, false);
-        if (in_theirs) CHECK_FALSE(isInArea(info.field, place, false, 0.08 - 1e-9));
+        if (in_theirs) CHECK_FALSE(isInArea(info.field, place, false, pitch.touch - 1e-9));
         // At the edge of an area there may be no room beside the ball.
         const bool room = distanceToArea(info.field, seen.ball.position, true) > 0.35 &&
                           distanceToArea(info.field, seen.ball.position, false) > 0.35;
