@@ -57,14 +57,11 @@ CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
   command
       ->add_option("--drill", options.drills, "drills by number or name, separated by commas (default: all)")
       ->delimiter(',');
-  CLI::Option* without =
-      command
-          ->add_option(
-              "--without", options.without,
-              "skills by name, separated by commas, or all: runs the drills with the team and without "
-              "each, and prints what each is worth")
-          ->delimiter(',')
-          ->type_name("SKILLS");
+  CLI::Option* without = command
+                             ->add_option("--without", options.without,
+                                          "skills, separated by commas, or all: what each is worth")
+                             ->delimiter(',')
+                             ->type_name("SKILLS");
   wholeNumber(
       command->add_option("--trials", options.run.trials, "trials per drill (default: from the drill file)"),
       1, kMostTrials);

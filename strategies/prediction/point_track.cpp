@@ -6,7 +6,7 @@ namespace fulbito {
 namespace {
 
 constexpr int kMemory = 12;        // positions: a fifth of a second at 60 Hz
-constexpr double kSurprise = 3.5;  // standard deviations
+constexpr double kSurprise = 4.5;  // standard deviations
 
 }  // namespace
 

@@ -13,6 +13,7 @@ constexpr double kSurprise = 4.0;  // standard deviations: something has pushed 
 
 /// The steady gain of a filter for a value that drifts by `drift` per step and is seen with `noise`.
 double gainFor(double drift, double noise) {
+  if (!(noise > 0.0)) return 1.0;
   const double ratio = drift / noise, square = ratio * ratio;
   return (std::sqrt(square * square + 4.0 * square) - square) / 2.0;
 }

@@ -163,8 +163,8 @@ TEST_CASE("a series plays swapped pairs and says what they show", "[cli]") {
                                      .out);
   CHECK(alone["final_hash"] == leg["final_hash"]);
   const Output text = box.works("match chaser chaser --half-seconds 1 --pairs 2");
-  for (const char* part : {"points share      50.0 %", "2 swapped pairs, 4 matches",
-                           "  verdict           no significant difference (95 %)\n"}) {
+  for (const char* part : {"points share        50.0 %", "2 swapped pairs, 4 matches",
+                           "  verdict             no significant difference (95 %)\n"}) {
     INFO(part);
     CHECK(contains(text.out, part));
   }

@@ -66,7 +66,7 @@ struct RobotModel {
   double friction = 0.2;             ///< of the body against robots, walls and obstacles
   double restitution = 0.1;          ///< of the body against robots, walls and obstacles
 
-  double inertia() const;    ///< [kg m^2] of the body's rectangle about its centre
+  double inertia() const;  ///< [kg m^2] of the body's rectangle about its centre
   /// [m/s^2] Deceleration when both motors brake, within the grip.
   double braking() const;
   double motorPull() const;  ///< [m/s^2] largest force of both motors over the mass, drag compensated

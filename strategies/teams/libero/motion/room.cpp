@@ -114,7 +114,7 @@ struct Body {
                               alongHeading(pitch, self, math::angleOf(beside), v),
                               alongHeading(pitch, self, math::angleOf(-beside), v), Twist{}}) {
       const double gaps = gapsBy(twist);
-      if (gaps > most) most = gaps, best = twist;
+      if (gaps > most + 1e-9) most = gaps, best = twist;
     }
     return {best, most};
   }
@@ -133,7 +133,8 @@ struct Body {
   /// The possible command nearest to `wanted` that keeps off the other.
   RobotCommand kept(Twist wanted) const {
     const Vec2 off = unitOr(self.pose.position - other.pose.position, {-1.0, 0.0});
-    const Vec2 going = start.face * wanted.linear;
+    // A robot that only turns goes the way that it faces, so that both hands are alike.
+    const Vec2 going = start.face * (std::abs(wanted.linear) > 1e-9 ? wanted.linear : 1.0);
     const double hand = dot(going, perp(off)) >= 0.0 ? 1.0 : -1.0;
     const Twist slide =
         alongHeading(pitch, self, math::angleOf(perp(off) * hand + off * 2 * pitch.tuning.lean), pitch.speed);

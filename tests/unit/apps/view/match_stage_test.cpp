@@ -91,7 +91,7 @@ TEST_CASE("between two ticks bodies are shown between their places", "[unit]") {
 }
 
 TEST_CASE("score, calls and clock are the referee's", "[unit]") {
-  auto match = Match::create(shortMatch("chaser", "idle", 20.0));
+  auto match = Match::create(shortMatch("libero", "idle", 20.0));
   REQUIRE(match);
   MatchStage stage(*match);
   bool goal = false;

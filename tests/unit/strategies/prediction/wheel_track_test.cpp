@@ -55,4 +55,12 @@ TEST_CASE("a robot that is shoved is found at its new place at once", "[unit]") 
   CHECK(std::abs(state.pose.heading - robot.pose.heading) < 5.0 * kHeadingNoise);
 }
 
+TEST_CASE("exact headings are taken as they are", "[unit]") {
+  WheelTrack track(test::matchInfo().robot, kNoise, 0.0);
+  RobotState robot;
+  track.update(robot, kDt);
+  robot.pose = {{0.001, 0.0}, 0.3};  // another place: the same picture again would not count
+  CHECK(track.update(robot, kDt).pose.heading == Approx(0.3));
+}
+
 }  // namespace fulbito

@@ -179,6 +179,7 @@ TEST_CASE("wheels are commanded in 256 speeds each way, a team's own as they are
   CHECK(driven(RobotCommand::byTwist({0.0171, 0.0})).left == Approx(0.72).margin(1e-12));  // 0.658 is wanted
   // At top speed the commands stay within the robot's limits.
   seen.own[0].state.velocity = {info.robot.maxSpeed(), 0.0};
+  seen.own[0].state.wheels = {info.robot.max_wheel_speed, info.robot.max_wheel_speed};
   CHECK(driven(RobotCommand::byTwist({9.0, 0.0})).right == Approx(46.08));
   info.robot.max_wheel_speed = 46.0;
   CHECK(driven(RobotCommand::byTwist({9.0, 0.0})).right == Approx(45.9));  // steps of 0.17
