@@ -50,10 +50,9 @@ PlayMeans meansOf(const PlayRecord& sums, const MatchFigures& figures, double dt
   means.play = ticks * dt;
   means.at_wall = ratio(static_cast<double>(sums.wall_ticks), ticks);
   means.in_corner = ratio(static_cast<double>(sums.corner_ticks), ticks);
-  const int goals[] = {figures.sums.goals_for, figures.sums.goals_against};
-  for (std::size_t team = 0; team < kTeams.size(); ++team) {
-    means.teams[team] = meansOf(sums, team, goals[team], figures.fixtures.size(), dt);
-  }
+  const std::size_t matches = figures.fixtures.size();
+  means.teams[0] = meansOf(sums, 0, figures.sums.goals_for, matches, dt);
+  means.teams[1] = meansOf(sums, 1, figures.sums.goals_against, matches, dt);
   return means;
 }
 

@@ -115,7 +115,8 @@ class RowReader final : public nlohmann::json_sax<Json> {
   bool rowNumber(std::uint64_t value) {
     MatchResult& result = row_.result;
     if (in_counts_) {
-      return count_ < std::size(kPlayCounts) && set(result.play.teams[at_].*kPlayCounts[count_++], value);
+      const std::size_t count = count_++;
+      return count < std::size(kPlayCounts) && set(result.play.teams[at_].*kPlayCounts[count], value);
     }
     if (in_array_ != isArray() || at_ >= kTeams.size()) return false;
     if (part_ == row::kSeed) return set(row_.seed, value);

@@ -247,7 +247,7 @@ std::optional<RobotCommand> School::yielding(const Observation& now, std::size_t
   const RobotState& robot = now.own[i].state;
   const double near = 2.0 * info_.robot.circumradius();
   if (distance(robot.pose.position, now.ball.position) < kPressing) return std::nullopt;
-  const auto yieldsTo = [&](std::size_t mate) -> std::optional<RobotCommand> {
+  const auto yields_to = [&](std::size_t mate) -> std::optional<RobotCommand> {
     if (mate == i || !now.own[mate].present) return std::nullopt;
     const Vec2 from = robot.pose.position - now.own[mate].state.pose.position;
     const Vec2 closing = robot.velocity - now.own[mate].state.velocity;
@@ -256,9 +256,9 @@ std::optional<RobotCommand> School::yielding(const Observation& now, std::size_t
     const double v = 0.4 * foresight_.pace().speed;
     return twist(now, i, {along >= 0.0 ? v : -v, 0.0});
   };
-  if (const auto away = yieldsTo(0)) return away;
+  if (const auto away = yields_to(0)) return away;
   for (std::size_t k = 0; k + 1 < rank; ++k) {
-    if (const auto away = yieldsTo(order_[k])) return away;
+    if (const auto away = yields_to(order_[k])) return away;
   }
   return std::nullopt;
 }

@@ -210,7 +210,7 @@ std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twi
     const RobotState& other = picture.opponent(i);
     if (isFar(picture.pitch, self, other)) continue;
     if (ballBetween(picture, self, other)) continue;
-    if (const auto off = clearOf({picture, self, other}, wanted)) return *off;
+    if (auto off = clearOf({picture, self, other}, wanted)) return off;
   }
   return std::nullopt;
 }
@@ -223,7 +223,7 @@ std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twis
     if (isFar(picture.pitch, self, mate)) continue;
     const Body body{picture, self, mate};
     if (yields(picture, robot, i)) {
-      if (const auto off = clearOf(body, wanted)) return *off;
+      if (auto off = clearOf(body, wanted)) return off;
     } else if (body.gap() < touchGap(picture.pitch) && Body{picture, mate, self}.isTrapped()) {
       return body.away();
     }
