@@ -25,7 +25,7 @@ export_game --png "$images/match-goal.png" --around goals --from "$from" --to "$
 export_game --png "$images/match-goal-light.png" --around goals --from "$from" --to "$to" --theme light
 export_game --trails "$images/match-trails.png" --around goals --from "$from" --to "$to" --theme light --size 640
 # The film, with exactly the commands of README.md.
-"$program" match libero classic --seed 1 --half-seconds 30 --record goals.fbr >/dev/null
+"$program" match libero classic --seed 1 --record goals.fbr >/dev/null
 "$program" replay export goals.fbr --force --gif "$images/match-goal.gif" --around goals:1
 export_game --contact-sheet "$images/match-sheet.png" --size 1200
 export_game --heatmap ball "$images/match-heatmap.png" --size 640

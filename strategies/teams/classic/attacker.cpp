@@ -6,6 +6,7 @@
 #include "strategies/skills/area_projection.hpp"
 #include "strategies/skills/ball_posture.hpp"
 #include "strategies/skills/interception.hpp"
+#include "strategies/skills/kicking.hpp"
 #include "strategies/skills/positions.hpp"
 #include "strategies/skills/shot_geometry.hpp"
 #include "strategies/teams/classic/classic_team.hpp"
@@ -71,18 +72,6 @@ bool Classic::isHeldByKeeper(const Observation& now) const {
     if (opponent.present && distance(opponent.state.pose.position, now.ball.position) < kAtBall) return true;
   }
   return false;
-}
-
-/// Whether robot `i` takes a kick-off or penalty for which it was placed. It then drives straight on until
-/// the ball has left.
-bool Classic::isKicking(const Observation& now, std::size_t i) const {
-  constexpr double kWhile = 0.6, kAway = 0.12, kStraight = 0.15;  // [s], [m], [rad]
-  const bool kick = now.restart == RestartKind::kPenalty || now.restart == RestartKind::kKickOff;
-  if (!kick || !now.restart_is_ours || now.since_restart > kWhile) return false;
-  const Pose2& pose = now.own[i].state.pose;
-  const Vec2 to_ball = now.ball.position - pose.position;
-  const bool straight = std::abs(math::wrapAngle(math::angleOf(to_ball) - pose.heading)) < kStraight;
-  return straight && (norm(to_ball) < kAway || now.since_restart < 0.3);
 }
 
 std::optional<RobotCommand> Classic::spinAtBall(const Observation& now, std::size_t i, bool contested) {

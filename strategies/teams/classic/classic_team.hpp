@@ -52,7 +52,6 @@ class Classic final : public Strategy {
   bool mayClear(const Observation& now, std::size_t i) const;
   RobotCommand clearing(const Observation& now, std::size_t i);
   std::optional<RobotCommand> spinAtBall(const Observation& now, std::size_t i, bool contested);
-  bool isKicking(const Observation& now, std::size_t i) const;
   bool isHeldByKeeper(const Observation& now) const;
   static RobotCommand spinning(double sense);
   bool isContested(const Observation& now, double mine) const;

@@ -7,6 +7,7 @@
 #include "strategies/interface/drawings.hpp"
 #include "strategies/skills/area_projection.hpp"
 #include "strategies/skills/interception.hpp"
+#include "strategies/skills/kicking.hpp"
 #include "strategies/skills/positions.hpp"
 #include "strategies/skills/quick_twist.hpp"
 #include "strategies/skills/shot_geometry.hpp"
@@ -167,21 +168,10 @@ std::optional<TeamProposal> School::place(const PlacementRequest& request) {
   return placement;
 }
 
-/// Whether robot `i` takes a kick-off or penalty for which it was placed: it drives on until the ball has
-/// left.
-bool School::isKicking(const Observation& now, std::size_t i) const {
-  constexpr double kWhile = 0.8, kAway = 0.12, kStraight = 0.3;  // [s], [m], [rad]
-  const bool kick = now.restart == RestartKind::kPenalty || now.restart == RestartKind::kKickOff;
-  if (!kick || !now.restart_is_ours || now.since_restart > kWhile) return false;
-  const Pose2& pose = now.own[i].state.pose;
-  const Vec2 to_ball = now.ball.position - pose.position;
-  const bool straight = std::abs(math::wrapAngle(math::angleOf(to_ball) - pose.heading)) < kStraight;
-  return straight && (norm(to_ball) < kAway || now.since_restart < 0.3);
-}
-
 RobotCommand School::attack(const Observation& now, std::size_t i, const Style& style) {
   const RobotState& robot = now.own[i].state;
-  if (isKicking(now, i)) return twist(now, i, {info_.robot.maxSpeed(), 0.0});
+  if (isKicking(now, i, {.longest = 0.8, .straight = 0.3}))
+    return twist(now, i, {info_.robot.maxSpeed(), 0.0});
   const auto direction = [&](Vec2 from) {
     const bool free = style.toward && wallClearance(field(), from) > info_.ball.radius + kAtWall;
     return free ? unitOr(*style.toward - from, {1.0, 0.0}) : wanted(now, from);
@@ -227,8 +217,7 @@ std::optional<RobotCommand> School::legal(const Observation& now, std::size_t i,
   const RobotState& robot = now.own[i].state;
   const double body = info_.robot.circumradius();
   const double speed = norm(robot.velocity);
-  const double brakes = std::min(info_.robot.wheel_braking, info_.robot.longitudinal_grip);
-  const Vec2 soon = robot.pose.position + robot.velocity * (now.dt + speed / (2.0 * brakes));
+  const Vec2 soon = robot.pose.position + robot.velocity * (now.dt + speed / (2.0 * info_.robot.braking()));
   const bool in_own = now.own[0].present && isInArea(field(), soon, true, body / 2);
   const bool in_theirs = !first && isInArea(field(), soon, false, body);
   if (!in_own && !in_theirs) return std::nullopt;

@@ -85,7 +85,6 @@ class School : public Strategy {
   };
 
   void rank(const Observation& now);
-  bool isKicking(const Observation& now, std::size_t i) const;
   Vec2 pastOpponent(const Observation& now, Vec2 ball, Vec2 straight) const;
   std::optional<RobotCommand> legal(const Observation& now, std::size_t i, bool first) const;
   std::optional<RobotCommand> yielding(const Observation& now, std::size_t i, std::size_t rank) const;

@@ -38,10 +38,10 @@ int goalsAhead(const char* opponent, int pairs, double half_seconds) {
 
 TEST_CASE("libero beats the chaser and the classic team", "[unit]") {
   // Measured in series of eight such pairs with seeds from 1000 on: 20.1 goals per pair ahead of the chaser
-  // with a standard deviation of 11.4, and 8.5 ahead of classic with 2.9. The chaser's bar is a quarter of
-  // its mean; that of classic is within three standard deviations, including the error of the series.
-  CHECK(goalsAhead("chaser", 2, 150.0) >= 10);
-  CHECK(goalsAhead("classic", 3, 150.0) >= 8);
+  // with a standard deviation of 11.4, and 8.5 ahead of classic with 2.9. The pairs below give 46 and 24; the
+  // bars leave about a tenth for changes that mean nothing.
+  CHECK(goalsAhead("chaser", 2, 150.0) >= 40);
+  CHECK(goalsAhead("classic", 3, 150.0) >= 22);
 }
 
 TEST_CASE("libero against itself: a swapped pair cancels", "[unit]") {

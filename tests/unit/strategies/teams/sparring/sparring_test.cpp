@@ -128,9 +128,9 @@ TEST_CASE("each school does what it is named after more than another does", "[un
   const Habits plain = habitsOf("univector");
   CHECK(habitsOf("twins").at_rebound > plain.at_rebound + 0.3);
   CHECK(habitsOf("marker").marks > plain.marks + 0.07);
-  CHECK(habitsOf("block").at_home > plain.at_home + 0.08);
+  CHECK(habitsOf("block").at_home > plain.at_home + 0.14);
   CHECK(habitsOf("presser").both_near > plain.both_near + 0.2);
-  CHECK(habitsOf("kicker").both_near > plain.both_near + 0.03);
+  CHECK(habitsOf("kicker").both_near > plain.both_near + 0.045);
   CHECK(habitsOf("spinner").spins > plain.spins + 0.05);
   CHECK(habitsOf("sweeper").keeper_out > plain.keeper_out + 0.1);
   // The wall waits in front of its area, and those who counter wait as far from the ball.
