@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/config/suggest.hpp"
+#include "strategies/interface/team_info.hpp"
 
 namespace fulbito {
 namespace {

@@ -9,9 +9,6 @@
 /// What a skill is worth in drills: a team with it and without it on the same trials.
 namespace fulbito {
 
-/// The setting of a team that leaves skills out.
-inline constexpr const char* kWithoutSetting = "without";
-
 /// A team without one of its skills.
 struct LeftOut {
   std::string skill;

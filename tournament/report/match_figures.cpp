@@ -50,9 +50,9 @@ PlayMeans meansOf(const PlayRecord& sums, const MatchFigures& figures, double dt
   means.play = ticks * dt;
   means.at_wall = ratio(static_cast<double>(sums.wall_ticks), ticks);
   means.in_corner = ratio(static_cast<double>(sums.corner_ticks), ticks);
-  const std::size_t matches = figures.fixtures.size();
-  means.teams[0] = meansOf(sums, 0, figures.sums.goals_for, matches, dt);
-  means.teams[1] = meansOf(sums, 1, figures.sums.goals_against, matches, dt);
+  const std::size_t pairs = figures.fixtures.size();
+  means.teams[0] = meansOf(sums, 0, figures.sums.goals_for, pairs, dt);
+  means.teams[1] = meansOf(sums, 1, figures.sums.goals_against, pairs, dt);
   return means;
 }
 

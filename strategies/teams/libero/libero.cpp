@@ -144,7 +144,6 @@ class Libero final : public Strategy {
 /// The default of `navigator`: the team's own motion skills, at a tenth of the cost of the cheapest
 /// navigator.
 constexpr const char* kOwnNavigation = "own";
-constexpr const char* kWithoutSetting = "without";
 
 /// Removes the setting `without` and returns the play book that it leaves.
 Result<PlayBook> takePlayBook(std::vector<Setting>& settings) {
