@@ -19,14 +19,17 @@ using Words = std::vector<std::string>;
 constexpr std::array kExtensions = {".hpp", ".cpp", ".toml", ".md",  ".txt",  ".cmake", ".in",
                                     ".sh",  ".js",  ".mjs",  ".css", ".html", ".c",     ".h"};
 
-/// Files that people read; build trees, hidden folders and what npm installs are left out.
+/// What the program and npm write, as .gitignore lists it.
+constexpr std::array kWritten = {"out", "fulbito-out", "render-gallery", "node_modules"};
+
+/// Files that people read; build trees, hidden folders and what is written are left out.
 std::vector<fs::path> readableFiles() {
   std::vector<fs::path> files;
   auto entry = fs::recursive_directory_iterator(FULBITO_SOURCE_DIR);
   for (; entry != fs::recursive_directory_iterator(); ++entry) {
     const std::string name = entry->path().filename();
-    if (entry->is_directory() &&
-        (name.starts_with('.') || name.starts_with("build") || name == "node_modules"))
+    const bool isWritten = std::count(kWritten.begin(), kWritten.end(), name) > 0;
+    if (entry->is_directory() && (name.starts_with('.') || name.starts_with("build") || isWritten))
       entry.disable_recursion_pending();
     const std::string extension = entry->path().extension();
     if (entry->is_regular_file() && std::count(kExtensions.begin(), kExtensions.end(), extension) > 0)

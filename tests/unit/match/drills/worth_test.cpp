@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "strategies/interface/team_info.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {
