@@ -3,7 +3,6 @@
 #include "strategies/skills/area_projection.hpp"
 #include "strategies/teams/libero/attack/press.hpp"
 #include "strategies/teams/libero/motion/bounds.hpp"
-#include "strategies/teams/libero/motion/room.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -33,9 +32,9 @@ bool mateIsIn(const Picture& picture) {
 
 }  // namespace
 
-RobotCommand legal(const Picture& picture, int robot, Twist wanted) {
+RobotCommand legal(const Picture& picture, int robot, Twist wanted, YieldMemory& yield) {
   if (robot == picture.keeper)
-    return clearOfMates(picture, robot, wanted).value_or(RobotCommand::byTwist(wanted));
+    return clearOfMates(picture, robot, wanted, yield).value_or(RobotCommand::byTwist(wanted));
   const Pitch& pitch = picture.pitch;
   // A free ball lies at the area's edge, and a robot that avoids the edge would come late.
   if (robot == picture.striker && disputesFreeBall(picture) && !picture.keepers_ball)
@@ -45,7 +44,7 @@ RobotCommand legal(const Picture& picture, int robot, Twist wanted) {
   if (!theirs) {
     if (const auto off = clearOfKeeper(picture, robot, wanted)) return *off;
   }
-  if (const auto off = clearOfMates(picture, robot, wanted)) wanted = twistOf(pitch, *off);
+  if (const auto off = clearOfMates(picture, robot, wanted, yield)) wanted = twistOf(pitch, *off);
   const RobotCommand kept = keptOut(picture, robot, {picture.keeper >= 0, theirs}, wanted);
   // A robot that must leave their area must not push the keeper aside.
   if (theirs && isInArea(pitch.field, picture.own(robot).pose.position, false, pitch.robot_corner)) {

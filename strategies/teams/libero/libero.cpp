@@ -116,7 +116,8 @@ class Libero final : public Strategy {
     moves_[i] = play_book_.decide(roles_.of(robot), picture, robot, memories_[i]);
     const Move& move = moves_[i];
     const bool far = move.place && distance(picture.own(robot).pose.position, *move.place) > pitch_.bodies;
-    if (navigators_.empty() || !move.travels || !far) return legal(picture, robot, move.twist);
+    if (navigators_.empty() || !move.travels || !far)
+      return legal(picture, robot, move.twist, memories_[i].yield);
     GoTo go_to;
     go_to.position = *move.place;
     go_to.stop = true;

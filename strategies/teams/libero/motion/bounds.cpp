@@ -34,10 +34,10 @@ struct Bound {
     return most;
   }
 
-  /// Whether a robot that drives `twist` for one tick and then brakes stays within the depth `limit` [m].
+  /// Whether a robot that drives `twist` and then brakes stays within the depth `limit` [m].
   bool allows(Twist twist, double limit = 0.0) const {
     Roll roll(pitch, robot);
-    roll.drive(twist);
+    for (int i = ticksTried(pitch, norm(robot.velocity)); i > 0; --i) roll.drive(twist);
     return deepest(roll) <= limit;
   }
 

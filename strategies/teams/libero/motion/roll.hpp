@@ -15,6 +15,14 @@ inline int ticksToRest(const Pitch& pitch) {
   return 1 + static_cast<int>(std::ceil(pitch.speed / (pitch.plannedBraking() * pitch.tick)));
 }
 
+/// Ticks for which a robot must be able to go on with a command before it takes it. One that stands tries a
+/// few: the first tick moves it so little that any command seems harmless, and it would start and stop
+/// forever at the edge of a closed place.
+inline int ticksTried(const Pitch& pitch, double speed) {
+  if (speed > pitch.tuning.lies) return 1;
+  return 1 + static_cast<int>(std::sqrt(2 * pitch.tuning.clearance / pitch.acceleration) / pitch.tick);
+}
+
 /// Greatest distance [m] that a robot with `speed` [m/s] covers before it rests, after one tick of any
 /// command.
 inline double mostWay(const Pitch& pitch, double speed) {

@@ -46,14 +46,13 @@ struct Body {
     return gapOf(pitch.robot_half, there - roll.place, roll.face, faced);
   }
 
-  /// Whether the robot can stop in front of the other after one tick of `twist`.
+  /// Whether the robot can stop in front of the other after it has begun `twist`.
   bool allows(Twist twist) const {
     Roll roll = start;
-    roll.drive(twist);
-    double least = gapAfter(roll, 1);
-    const int horizon = ticksToRest(pitch);
-    for (int i = 2; i < horizon && !roll.rests(); ++i) {
-      roll.brake();
+    double least = 2 * pitch.bodies;
+    const int tried = ticksTried(pitch, norm(self.velocity)), horizon = tried + ticksToRest(pitch);
+    for (int i = 1; i < horizon && !(i > tried && roll.rests()); ++i) {
+      i > tried ? roll.brake() : roll.drive(twist);
       least = std::min(least, gapAfter(roll, i));
     }
     return least >= pitch.tuning.body_gap;
@@ -176,14 +175,15 @@ std::optional<RobotCommand> clearOf(const Body& body, Twist wanted) {
   return std::nullopt;
 }
 
-/// Whether the robot gives way to its mate: to the keeper, to the striker, and among supports to the one of
-/// smaller rank. A striker at the ball stays there, since opponents would take it past the keeper. A keeper
-/// out of its goal leaves that ball to the striker.
+/// Whether the robot gives way to its mate. A robot at the ball stays there, since opponents would take it.
+/// Otherwise each gives way to the keeper, then to the striker, and among supports to the one of smaller
+/// rank. A keeper out of its goal leaves the ball to a mate.
 bool yields(const Picture& picture, int robot, int mate) {
-  const auto at_ball = [&](int i) { return i == picture.striker && picture.disputes(i); };
-  if (at_ball(robot)) return false;
+  const auto at_ball = [&](int i) { return i != picture.keeper && picture.disputes(i); };
+  if (at_ball(robot) && !at_ball(mate)) return false;
   if (robot == picture.keeper && at_ball(mate))
     return std::abs(picture.own(robot).pose.position.y) > picture.pitch.goal_half + picture.pitch.robot_half;
+  if (at_ball(mate) && !at_ball(robot)) return true;
   const auto order = [&](int i) {
     return i == picture.keeper ? -2 : i == picture.striker ? -1 : picture.rank[static_cast<std::size_t>(i)];
   };
@@ -215,18 +215,22 @@ std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twi
   return std::nullopt;
 }
 
-std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twist wanted) {
+std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twist wanted,
+                                         YieldMemory& memory) {
+  memory.left -= picture.seen.dt;
+  if (memory.left > 0.0) return memory.command;
   const RobotState& self = picture.own(robot);
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (i == robot || !picture.ownPresent(i)) continue;
     const RobotState& mate = picture.own(i);
     if (isFar(picture.pitch, self, mate)) continue;
     const Body body{picture, self, mate};
-    if (yields(picture, robot, i)) {
-      if (auto off = clearOf(body, wanted)) return off;
-    } else if (body.gap() < touchGap(picture.pitch) && Body{picture, mate, self}.isTrapped()) {
-      return body.away();
+    const bool touches = body.gap() < touchGap(picture.pitch), first = !yields(picture, robot, i);
+    if (touches && (!first || Body{picture, mate, self}.isTrapped())) {
+      memory = {picture.pitch.turn_time, body.away()};
+      return memory.command;
     }
+    if (!touches && !first && !body.allows(wanted)) return body.kept(wanted);
   }
   return std::nullopt;
 }

@@ -16,9 +16,17 @@ bool atBall(const Pitch& pitch, const RobotState& robot, Vec2 ball);
 /// a keeper that it touches. Empty: `wanted` is fine.
 std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twist wanted);
 
-/// Mates yield: what `robot` does instead of `wanted` if that would hit a mate that goes first. The keeper
-/// goes before the striker, the striker before the supports. Any robot leaves a mate that cannot yield,
-/// because others and walls hold it. Empty: `wanted` is fine.
-std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twist wanted);
+/// What a robot remembers while it leaves a mate. The best way off changes with each small motion, and a
+/// robot that always took it would stand and tremble.
+struct YieldMemory {
+  double left = 0.0;  ///< [s] for which the command stays
+  RobotCommand command;
+};
+
+/// Mates yield: what `robot` does instead of `wanted` if that would hit a mate that goes first. A robot at
+/// the ball goes first, then the keeper, the striker, and the supports in their order. Any robot leaves a
+/// mate that cannot yield, because others and walls hold it. Empty: `wanted` is fine.
+std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twist wanted,
+                                         YieldMemory& memory);
 
 }  // namespace fulbito::libero

@@ -2,6 +2,7 @@
 
 #include "strategies/teams/libero/attack/press.hpp"
 #include "strategies/teams/libero/attack/shot.hpp"
+#include "strategies/teams/libero/motion/room.hpp"
 
 namespace fulbito::libero {
 
@@ -22,6 +23,7 @@ struct Memory {
   Strike strike;
   PressMemory press;
   ShotMemory shot;
+  YieldMemory yield;
 };
 
 }  // namespace fulbito::libero

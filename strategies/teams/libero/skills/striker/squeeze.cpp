@@ -15,9 +15,9 @@ std::optional<Move> squeeze(const Picture& picture, int robot, Memory& memory) {
   if (squaredNorm(rel) >= reach * reach ||
       !isFoughtFor(picture, rel, aim, picture.tuning.pushable, picture.tuning.rival_near))
     return std::nullopt;
-  // A point farther along the wall moves the ball round the corner sooner. But a ball that two opponents
-  // bring down the end wall then slips between that wall and the robot.
-  const double heading = math::angleOf(rel + aim.direction * pitch.front);
+  // The point is the place of a robot that holds the ball from the other side. A nearer one presses the ball
+  // into the wall; with a farther one, the ball slips out between the wall and the robot.
+  const double heading = math::angleOf(rel + aim.direction * pitch.around);
   return Move{.twist = alongHeading(picture.pitch, picture.own(robot), heading, picture.pitch.speed),
               .reason = "an opponent fights for it at a wall",
               .ball = picture.ball.now().position};

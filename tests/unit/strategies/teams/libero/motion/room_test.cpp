@@ -147,7 +147,8 @@ TEST_CASE("of two mates that converge the one of lower role gives way, unless ot
   libero::Picture picture{seen, pitch, ball};
   picture.keeper = 0, picture.striker = 1;
   const auto off = [&](int robot, double speed) {
-    return libero::clearOfMates(picture, robot, {speed * pitch.speed, 0.0});
+    libero::YieldMemory memory;
+    return libero::clearOfMates(picture, robot, {speed * pitch.speed, 0.0}, memory);
   };
   // Robot 1 stands behind robot 2 and goes first.
   CHECK_FALSE(off(1, 1.0));
@@ -166,6 +167,56 @@ TEST_CASE("of two mates that converge the one of lower role gives way, unless ot
   seen.opponents[1] = test::standingAt({held + Vec2{0.0, apart}, 0.0});
   seen.opponents[2] = test::standingAt({held - Vec2{0.0, apart}, 0.0});
   CHECK(off(1, 1.0));
+}
+
+TEST_CASE("a robot that touches a mate keeps its way off for a moment", "[unit]") {
+  const libero::Pitch pitch(test::infoOf(3));
+  libero::BallForecast ball;
+  Observation seen;
+  seen.dt = pitch.tick;
+  const double apart = 2.0 * pitch.robot_half + 0.001;
+  seen.own[1] = test::standingAt({{0.0, 0.0}, 0.0});
+  seen.own[2] = test::standingAt({{apart, 0.0}, 0.0});
+  libero::Picture picture{seen, pitch, ball};
+  picture.keeper = 0, picture.striker = 1;
+  libero::YieldMemory memory;
+  const auto first = libero::clearOfMates(picture, 2, {}, memory);
+  REQUIRE(first);
+  // From the other side another way would be shorter.
+  seen.own[2].state.pose.position.x = -apart;
+  const auto forward = [](const RobotCommand& command) {
+    return command.kind == RobotCommand::Kind::kWheels ? command.wheels.left : command.twist.linear;
+  };
+  const auto ticks = static_cast<int>(pitch.turn_time / pitch.tick);
+  for (int i = 1; i < ticks; ++i) {
+    const auto next = libero::clearOfMates(picture, 2, {}, memory);
+    REQUIRE(next);
+    CHECK(forward(*next) == forward(*first));
+  }
+  std::optional<RobotCommand> other;
+  for (int i = 0; i < 2; ++i) other = libero::clearOfMates(picture, 2, {}, memory);
+  REQUIRE(other);
+  CHECK(forward(*other) * forward(*first) < 0.0);
+}
+
+TEST_CASE("a mate at the ball goes before the striker that is not", "[unit]") {
+  const libero::Pitch pitch(test::infoOf(3));
+  libero::BallForecast ball;
+  Observation seen;
+  seen.own[1] = test::standingAt({{0.0, 0.0}, 0.0});
+  seen.own[2] = test::standingAt({{2.0 * pitch.robot_half + 0.001, 0.0}, 0.0});
+  std::array<double, kMaxTeamSize> disputes{};
+  const auto yields = [&](int robot) {
+    libero::Picture picture{seen, pitch, ball, 0.0, disputes};
+    picture.keeper = 0, picture.striker = 1;
+    libero::YieldMemory memory;
+    return libero::clearOfMates(picture, robot, {}, memory).has_value();
+  };
+  CHECK_FALSE(yields(1));
+  CHECK(yields(2));
+  disputes[2] = 0.1;
+  CHECK(yields(1));
+  CHECK_FALSE(yields(2));
 }
 
 TEST_CASE("who touches the ball disputes it", "[unit]") {

@@ -11,7 +11,7 @@ TEST_CASE("libero's robots without the ball have places on the field, off the ba
   for (const int size : {3, 5}) {
     const MatchInfo info = test::infoOf(size);
     const libero::Pitch pitch(info);
-    const auto play_book = libero::PlayBook::without("block");
+    const auto play_book = libero::PlayBook::without("block+join");
     REQUIRE(play_book);
     Rng rng(7, test::kTestStream, static_cast<std::uint64_t>(size));
     for (int run = 0; run < 2000; ++run) {

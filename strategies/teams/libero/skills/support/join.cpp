@@ -1,0 +1,23 @@
+#include "strategies/teams/libero/playbook/skills.hpp"
+
+namespace fulbito::libero::support {
+
+/// Two robots that push in one direction win a ball that one alone could only hold. In the open field of a
+/// small match, a second robot at the ball is missed elsewhere. One ahead of the ball would be in the
+/// striker's way.
+std::optional<Move> join(const Picture& picture, int robot, Memory& memory) {
+  const BallState& ball = picture.ball.now();
+  const Tuning& tuning = picture.tuning;
+  if (picture.rank[static_cast<std::size_t>(robot)] > 0 ||
+      picture.own(robot).pose.position.x > ball.position.x ||
+      squaredNorm(ball.velocity) > tuning.pushable * tuning.pushable ||
+      picture.opponentsNear(ball.position, tuning.rival_far) == 0)
+    return std::nullopt;
+  if (!picture.pitch.isLarge() && !shotOf(picture, robot, memory.shot).aim.wall) return std::nullopt;
+  auto move = striker::squeeze(picture, robot, memory);
+  if (!move) move = striker::strike(picture, robot, memory);
+  move->reason = "an opponent fights for the ball";
+  return move;
+}
+
+}  // namespace fulbito::libero::support
