@@ -37,9 +37,9 @@ int goalsAhead(const char* opponent, int pairs, double half_seconds) {
 }  // namespace
 
 TEST_CASE("libero beats the chaser and the classic team", "[unit]") {
-  // Measured in two series of eight such pairs with seeds from 1000 and from 2000 on: 14.6 and 16.6 goals per pair
-  // ahead of the chaser, 8.9 and 9.3 ahead of classic. The pairs below give 34 and 29; the bars leave about a tenth
-  // for changes that mean nothing.
+  // Measured in two series of eight such pairs with seeds from 1000 and from 2000 on: 14.6 and 16.6 goals per
+  // pair ahead of the chaser, 8.9 and 9.3 ahead of classic. The pairs below give 34 and 29; the bars leave
+  // about a tenth for changes that mean nothing.
   CHECK(goalsAhead("chaser", 2, 150.0) >= 30);
   CHECK(goalsAhead("classic", 3, 150.0) >= 26);
 }
