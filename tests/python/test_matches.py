@@ -40,10 +40,11 @@ def test_a_result_says_what_happened(short_match: fulbito.MatchResult) -> None:
     assert short_match.score == (sum(g.team == "blue" for g in goals), sum(g.team == "yellow" for g in goals))
     blue, yellow = short_match.score
     assert short_match.winner == ("blue" if blue > yellow else "yellow" if yellow > blue else None)
+    assert len(goals) > 0
     table = short_match.event_table()
     assert len(table) == len(short_match.events)
     assert (table["event"] == "goal").sum() == len(goals)
-    assert short_match.statistics["blue"]["touches"] > 0
+    assert short_match.statistics["blue"]["shots"] > 0
     assert f"libero {blue} : {yellow} classic" in repr(short_match)
     assert "<iframe" in short_match._repr_html_()
 
@@ -56,7 +57,7 @@ def test_equal_arguments_give_equal_matches() -> None:
 def test_a_team_of_this_process_plays(examples: Path) -> None:
     result = fulbito.play(Chaser, "idle", half_seconds=20, record=True)
     assert result.teams == ("chaser of this process", "idle")
-    assert result.statistics["blue"]["touches"] > 0
+    assert result.statistics["blue"]["shots"] > 0
     assert result.recording is not None and result.recording.verify()
     again = fulbito.play(Chaser(), "idle", half_seconds=20)
     assert again.final_hash == result.final_hash

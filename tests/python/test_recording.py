@@ -44,8 +44,10 @@ def test_samples_are_rounded_states(recording: Recording) -> None:
 def test_velocity_is_the_change_of_place(recording: Recording) -> None:
     states = recording.states()
     moved = np.diff(states.pose[200:400, 1, :2], axis=0) * recording.header["control_rate"]
-    # At a restart, robots jump to their places in one tick.
-    assert np.quantile(np.abs(moved - states.velocity[201:400, 1, :2]).max(axis=1), 0.95) < 0.3
+    # At a restart, robots jump to their places in one tick, faster than any robot drives [m/s].
+    jumps = np.abs(moved).max(axis=1) > 3.0
+    assert jumps.sum() <= 2
+    assert np.abs(moved - states.velocity[201:400, 1, :2])[~jumps].max() < 0.3
 
 
 def test_one_body(recording: Recording) -> None:

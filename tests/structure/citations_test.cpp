@@ -28,8 +28,8 @@ std::vector<fs::path> readableFiles() {
   auto entry = fs::recursive_directory_iterator(FULBITO_SOURCE_DIR);
   for (; entry != fs::recursive_directory_iterator(); ++entry) {
     const std::string name = entry->path().filename();
-    const bool isWritten = std::count(kWritten.begin(), kWritten.end(), name) > 0;
-    if (entry->is_directory() && (name.starts_with('.') || name.starts_with("build") || isWritten))
+    const bool is_written = std::count(kWritten.begin(), kWritten.end(), name) > 0;
+    if (entry->is_directory() && (name.starts_with('.') || name.starts_with("build") || is_written))
       entry.disable_recursion_pending();
     const std::string extension = entry->path().extension();
     if (entry->is_regular_file() && std::count(kExtensions.begin(), kExtensions.end(), extension) > 0)

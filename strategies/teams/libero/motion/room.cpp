@@ -49,13 +49,15 @@ struct Body {
   /// Whether the robot can stop in front of the other after it has begun `twist`.
   bool allows(Twist twist) const {
     Roll roll = start;
-    double least = 2 * pitch.bodies;
     const int tried = ticksTried(pitch, norm(self.velocity)), horizon = tried + ticksToRest(pitch);
     for (int i = 1; i < horizon && !(i > tried && roll.rests()); ++i) {
-      i > tried ? roll.brake() : roll.drive(twist);
-      least = std::min(least, gapAfter(roll, i));
+      if (i > tried)
+        roll.brake();
+      else
+        roll.drive(twist);
+      if (gapAfter(roll, i) < pitch.tuning.body_gap) return false;
     }
-    return least >= pitch.tuning.body_gap;
+    return true;
   }
 
   /// The gap [m] to the other, summed over the ticks of a twist with the walls in the way: the sooner the
@@ -180,10 +182,10 @@ std::optional<RobotCommand> clearOf(const Body& body, Twist wanted) {
 /// rank. A keeper out of its goal leaves the ball to a mate.
 bool yields(const Picture& picture, int robot, int mate) {
   const auto at_ball = [&](int i) { return i != picture.keeper && picture.disputes(i); };
-  if (at_ball(robot) && !at_ball(mate)) return false;
-  if (robot == picture.keeper && at_ball(mate))
+  if (at_ball(robot) != at_ball(mate)) {
+    if (robot != picture.keeper) return at_ball(mate);
     return std::abs(picture.own(robot).pose.position.y) > picture.pitch.goal_half + picture.pitch.robot_half;
-  if (at_ball(mate) && !at_ball(robot)) return true;
+  }
   const auto order = [&](int i) {
     return i == picture.keeper ? -2 : i == picture.striker ? -1 : picture.rank[static_cast<std::size_t>(i)];
   };
