@@ -15,14 +15,6 @@ constexpr double kWheelsLoad = 9.81 * 2.0 / 3.0;
 
 }  // namespace
 
-SpinRatio::SpinRatio(const RobotModel& robot) {
-  if (!(robot.spin_slow_speed > 0.0) || !(robot.spin_fast_speed > robot.spin_slow_speed)) return;
-  from_ = robot.spin_slow_speed;
-  span_ = robot.spin_fast_speed - from_;
-  slow_ = robot.spin_slow_ratio;
-  slope_ = (robot.spin_fast_ratio - slow_) / span_;
-}
-
 Drive::Drive(const RobotModel& robot, double step_period, double command_step)
     : law_(robot, step_period),
       tilt_(robot, step_period),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/models/drive_law.hpp"
+#include "engine/core/models/spin_ratio.hpp"
 #include "engine/sim/tilt.hpp"
 #include "fulbito/detail/values.hpp"
 
@@ -14,24 +15,6 @@ struct BodyMotion {
   double forward = 0.0;   ///< [m/s]
   double sideways = 0.0;  ///< [m/s] toward the left
   double yaw = 0.0;       ///< [rad/s] counter-clockwise
-};
-
-/// Yaw rate of a robot that spins in place, relative to ideal wheels. It is linear in the rim speed between
-/// the model's two measured points and constant outside; 1 if the model has no such points. Wheels that roll
-/// the same way scrub less: the ratio fades to 1 between spinning in place and turning about a wheel.
-class SpinRatio {
- public:
-  explicit SpinRatio(const RobotModel& robot);
-  /// Whether it is 1 at all speeds.
-  bool isOne() const { return slow_ == 1.0 && slope_ == 0.0; }
-  /// @param rim_speed  [m/s] >= 0
-  double at(double rim_speed) const { return slow_ + slope_ * std::clamp(rim_speed - from_, 0.0, span_); }
-
- private:
-  double from_ = 0.0;  // [m/s]
-  double span_ = 0.0;  // [m/s]
-  double slow_ = 1.0;
-  double slope_ = 0.0;  // [s/m]
 };
 
 /// Motors, wheels and tyres of one robot. The motors drive the rims toward the command by the `DriveLaw`. The

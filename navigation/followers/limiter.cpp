@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/models/spin_ratio.hpp"
 #include "fulbito/detail/math.hpp"
 
 namespace fulbito {
@@ -19,14 +20,15 @@ RobotModel steady(RobotModel robot) {
 Twist limitTwist(const RobotModel& robot, Twist current, Twist wanted, double dt) {
   const double half_track = robot.axle_track / 2;
   const double most_turn = robot.turnAcceleration() * dt;
-  const double turn = std::clamp(wanted.angular - current.angular, -most_turn, most_turn);
+  const double kept = SpinRatio(robot).commandFor(current);
+  const double turn = std::clamp(wanted.angular - kept, -most_turn, most_turn);
   // The share of the motors' pull that turning leaves to the speed.
   const double rest = most_turn > 0.0 ? 1.0 - std::abs(turn) / most_turn : 0.0;
   const double change = wanted.linear - current.linear;
   const bool slows = change * current.linear < 0.0;
   const double most = rest * dt * (slows ? robot.wheel_braking : robot.wheel_acceleration);
   Twist limited;
-  limited.angular = current.angular + turn;
+  limited.angular = kept + turn;
   limited.linear = current.linear + std::clamp(change, -most, most);
   const double max_speed = robot.maxSpeed();
   limited.angular = std::clamp(limited.angular, -max_speed / half_track, max_speed / half_track);

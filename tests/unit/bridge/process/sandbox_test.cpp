@@ -109,7 +109,8 @@ TEST_CASE("limits of processes bind root as well", "[unit][sandbox]") {
     if (kind == "fork-bomb") {
       for (int round = 0; alone && round < 1000 && processesWith(mark) < 10; ++round) ::usleep(10'000);
       ::usleep(200'000);
-      // If the user's other processes count as well, one that starts takes a place and one that ends leaves it.
+      // If the user's other processes count as well, one that starts takes a place and one that ends leaves
+      // it.
       CHECK(processesWith(mark) <= 10 + (alone ? 0 : others));
       if (alone) CHECK(processesWith(mark) == 10);
     } else {

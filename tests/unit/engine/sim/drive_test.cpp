@@ -145,21 +145,6 @@ TEST_CASE("encoders read the ground's speed while the wheels hold", "[unit]") {
   CHECK(read.right == Approx((0.4 + 0.08) / 0.02));
 }
 
-TEST_CASE("the measured spin ratio holds at its points, between and outside", "[unit]") {
-  RobotModel robot = plainRobot();
-  CHECK(SpinRatio(robot).at(0.7) == 1.0);
-  robot.spin_slow_speed = 0.4;
-  robot.spin_slow_ratio = 0.9;
-  robot.spin_fast_speed = 0.8;
-  robot.spin_fast_ratio = 1.1;
-  const SpinRatio ratio(robot);
-  CHECK(ratio.at(0.0) == Approx(0.9));
-  CHECK(ratio.at(0.4) == Approx(0.9));
-  CHECK(ratio.at(0.6) == Approx(1.0));
-  CHECK(ratio.at(0.8) == Approx(1.1));
-  CHECK(ratio.at(2.0) == Approx(1.1));
-}
-
 TEST_CASE("commands are limited, then rounded to the nearest step, away from zero in between", "[unit]") {
   RobotModel robot = plainRobot();
   robot.wheel_acceleration = robot.wheel_braking = robot.longitudinal_grip = 1e6;  // the rims follow at once

@@ -1,5 +1,6 @@
 #include "navigation/followers/limiter.hpp"
 
+#include "engine/core/models/spin_ratio.hpp"
 #include "fulbito/navigation.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/corner_layout.hpp"
@@ -33,6 +34,21 @@ TEST_CASE("the limiter slows down by the braking of the motors", "[unit]") {
   CHECK(limitTwist(robot, {0.5, 0.0}, {-2.0, 0.0}, dt).linear == Approx(0.5 - 6.0 * dt));
   CHECK(limitTwist(robot, {-0.5, 0.0}, {2.0, 0.0}, dt).linear == Approx(-0.5 + 6.0 * dt));
   CHECK(limitTwist(robot, {-0.5, 0.0}, {-2.0, 0.0}, dt).linear == Approx(-0.5 - 1.0 * dt));
+}
+
+TEST_CASE("a limited command slows every spin down, also where wheels spin the body faster than ideal ones",
+          "[unit]") {
+  for (const char* name : {"firasim", "vsss"}) {
+    const RobotModel robot = steady(loadRobot(name)->robot);
+    const double half_track = robot.axle_track / 2, dt = 1.0 / 60.0;
+    const SpinRatio ratio(robot);
+    for (double spin = 1.0; spin < 60.0; spin += 1.0) {
+      CAPTURE(name, spin);
+      const double command = limitTwist(robot, {0.0, spin}, {0.0, -60.0}, dt).angular;
+      const double reached = command * ratio.at(std::abs(command) * half_track);
+      CHECK(reached < spin - 0.9 * robot.turnAcceleration() * dt);
+    }
+  }
 }
 
 TEST_CASE("twists of teams turn as hard as the motors pull straight ahead", "[unit]") {
