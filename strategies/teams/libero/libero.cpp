@@ -5,6 +5,7 @@
 #include "navigation/interface/parameters.hpp"
 #include "strategies/interface/team_info.hpp"
 #include "strategies/prediction/foresight.hpp"
+#include "strategies/skills/quick_twist.hpp"
 #include "strategies/teams/libero/drawing.hpp"
 #include "strategies/teams/libero/exercise.hpp"
 #include "strategies/teams/libero/legal.hpp"
@@ -29,6 +30,7 @@ class Libero final : public Strategy {
   std::span<const NavigatorChoice> navigators() const override { return navigators_; }
 
   void begin(const MatchInfo& info) override {
+    robot_ = info.robot;
     pitch_ = Pitch(info, tuning_);
     foresight_ = Foresight(info);
     forgetStriker();
@@ -116,8 +118,11 @@ class Libero final : public Strategy {
     moves_[i] = play_book_.decide(roles_.of(robot), picture, robot, memories_[i]);
     const Move& move = moves_[i];
     const bool far = move.place && distance(picture.own(robot).pose.position, *move.place) > pitch_.bodies;
-    if (navigators_.empty() || !move.travels || !far)
-      return legal(picture, robot, move.twist, memories_[i].yield);
+    if (navigators_.empty() || !move.travels || !far) {
+      const RobotCommand command = legal(picture, robot, move.twist, memories_[i].yield);
+      if (command.kind != RobotCommand::Kind::kTwist) return command;
+      return quickTwist(robot_, picture.own(robot), command.twist, picture.seen.dt);
+    }
     GoTo go_to;
     go_to.position = *move.place;
     go_to.stop = true;
@@ -126,6 +131,7 @@ class Libero final : public Strategy {
   }
 
   Tuning tuning_;
+  RobotModel robot_;
   Pitch pitch_;
   // at most one, for robots without the ball; empty: the team's own skills drive
   std::vector<NavigatorChoice> navigators_;

@@ -14,8 +14,20 @@ bool disputesFreeBall(const Picture& picture) {
 
 Vec2 firstTouch(const Picture& picture) {
   const Vec2 ball = picture.ball.now().position;
-  if (picture.seen.restart != RestartKind::kFreeBall || !picture.pitch.isLarge()) return ball;
+  if (picture.seen.restart != RestartKind::kFreeBall || !picture.pitch.isLarge() || !picture.pitch.shoves)
+    return ball;
   return ball - Vec2{0.0, std::copysign(picture.pitch.ball_radius, ball.y)};
+}
+
+bool headOn(const Picture& picture, Vec2 rel, const Aim& aim) {
+  const double near = norm(rel);
+  if (aim.wall || near > picture.pitch.touch || dot(rel, aim.direction) < 0.5 * near) return false;
+  const Vec2 opposite = picture.ball.now().position + unitOr(rel, {}) * picture.pitch.front;
+  return picture.opponentsNear(opposite, picture.pitch.ball_radius + picture.tuning.clearance) > 0;
+}
+
+bool isStandOff(const Picture& picture, Vec2 rel, const Aim& aim) {
+  return !picture.pitch.shoves && headOn(picture, rel, aim);
 }
 
 void watchJam(const Picture& picture, int robot, PressMemory& memory) {

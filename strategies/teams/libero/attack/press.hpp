@@ -1,5 +1,6 @@
 #pragma once
 
+#include "strategies/teams/libero/attack/aim.hpp"
 #include "strategies/teams/libero/situation/picture.hpp"
 
 namespace fulbito::libero {
@@ -24,5 +25,12 @@ void watchJam(const Picture& picture, int robot, PressMemory& memory);
 /// equal force, nothing moves until one turns its face slightly. Then the ball slips out to the side wall,
 /// and the robot that turned first reaches it first.
 Twist pressOn(const Picture& picture, int robot, PressMemory& memory);
+
+/// Whether an opponent presses from the other side against the ball that the robot pushes roughly in the
+/// wanted direction, in the open field. `rel`: from the robot to the ball [m].
+bool headOn(const Picture& picture, Vec2 rel, const Aim& aim);
+
+/// Whether the robots of such a duel cannot push each other away, so that only a spin moves the ball.
+bool isStandOff(const Picture& picture, Vec2 rel, const Aim& aim);
 
 }  // namespace fulbito::libero

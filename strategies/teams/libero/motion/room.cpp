@@ -82,7 +82,8 @@ struct Body {
   bool isBlocked(Vec2 before, const Roll& roll) const {
     const auto blocks = [&](const RobotState& third) {
       const Vec2 rel = third.pose.position - roll.place;
-      if (&third == &self || &third == &other || dot(rel, roll.place - before) <= 0.0) return false;
+      if (&third == &self || &third == &other || squaredNorm(rel) > pitch.bodies * pitch.bodies) return false;
+      if (dot(rel, roll.place - before) <= 0.0) return false;
       return gapOf(pitch.robot_half, rel, roll.face, math::unit(third.pose.heading)) < 0.0;
     };
     for (int i = 0; i < picture.seen.team_size; ++i) {

@@ -85,11 +85,11 @@ std::vector<SkillInfo> PlayBook::skills() {
 
 Move PlayBook::decide(Role role, const Picture& picture, int robot, Memory& memory) const {
   memory.shot.now.reset();
+  memory.spin.locked = std::max(0.0, memory.spin.locked - picture.seen.dt);
+  watchJam(picture, robot, memory.press);
   if (role == Role::kKeeper) return firstOf(keeper_, picture, robot, memory).value_or(Move{});
   if (const auto move = firstOf(field_, picture, robot, memory)) return *move;
   if (role == Role::kSupport) return firstOf(support_, picture, robot, memory).value_or(Move{});
-  watchJam(picture, robot, memory.press);
-  memory.spin.locked = std::max(0.0, memory.spin.locked - picture.seen.dt);
   return firstOf(striker_, picture, robot, memory).value_or(Move{});
 }
 

@@ -5,7 +5,6 @@
 
 #include "engine/core/math/braking.hpp"
 #include "fulbito/detail/math.hpp"
-#include "navigation/followers/limiter.hpp"
 
 namespace fulbito::libero {
 
@@ -24,7 +23,7 @@ Pitch::Pitch(const MatchInfo& info, const Tuning& tuned)
       speed(info.robot.maxSpeed()),
       acceleration(pace.acceleration),
       braking(pace.braking),
-      turning(steady(info.robot).turnAcceleration()),
+      turning(info.robot.turnAcceleration()),
       sliding(info.robot.lateral_grip),
       half_track(info.robot.axle_track / 2),
       wheel_radius(info.robot.wheel_radius),
@@ -38,6 +37,7 @@ Pitch::Pitch(const MatchInfo& info, const Tuning& tuned)
       turn_rate(stoppingSpeed(turning, math::kPi / 4)),
       creep(stoppingSpeed(info.ball.roll_deceleration, ball_radius)),
       stuck_radius(info.rules.stuck.radius),
+      shoves(2 * pace.acceleration > pace.braking),
       motors(info.robot, tick),
       team_size(info.rules.team_size) {}
 

@@ -54,7 +54,10 @@ struct Pitch {
   double turn_rate;     ///< [rad/s] greatest yaw rate of such a turn
   double creep;         ///< [m/s] speed of a ball that rolls less than its radius before it rests
   double stuck_radius;  ///< [m] of the circle in which referees count a ball as stuck
-  DriveLaw motors;      ///< effect of the motors in one tick
+  /// Whether two robots that push can move one that resists. Where they cannot, duels stand still, robots
+  /// speed up slowly, and spins are what moves a ball.
+  bool shoves;
+  DriveLaw motors;  ///< effect of the motors in one tick
   int team_size;
 };
 

@@ -344,7 +344,7 @@ TEST_CASE("whole matches count roles that change hands", "[unit]") {
 TEST_CASE("own goals of whole matches are those of a match's statistics", "[unit]") {
   Drill drill = drillOf(
       "[drill]\nnumber = 905\nwhat = \"own goals\"\ntrials = 2\nmatch_opponent = \"chaser\"\n"
-      "half_seconds = 60.0\n[[pass]]\nvalue = \"own-goal\"\nstatistic = \"mean\"\nat_most = 0\n");
+      "half_seconds = 120.0\n[[pass]]\nvalue = \"own-goal\"\nstatistic = \"mean\"\nat_most = 0\n");
   DrillOptions options;
   options.team = *parseTeam("chaser");
   options.seed = 12;

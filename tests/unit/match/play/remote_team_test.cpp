@@ -100,7 +100,7 @@ void playWaiting(Match& match, TeamId team, Client& client, Wire& wire) {
 }
 
 MatchConfig remoteMatch(Wire& wire, TeamId team) {
-  MatchConfig config = shortMatch("chaser", "chaser", 20.0);
+  MatchConfig config = shortMatch("chaser", "chaser", 40.0);
   config.teams[indexOf(team)] = over(wire);
   config.rules.restart.delay = config.rules.restart.goal_delay = 0.0;
   config.placement_error = {0.0, 0.0};
@@ -401,7 +401,7 @@ TEST_CASE("a team is told its seat and what is played before the match", "[unit]
     const MatchInfo& info = wire.info;
     CHECK(info.team == team);
     CHECK(info.side == (team == TeamId::kBlue ? Side::kLeft : Side::kRight));
-    CHECK(info.rules.half_seconds == 20.0);
+    CHECK(info.rules.half_seconds == 40.0);
     CHECK(info.rules.periods.overtime_seconds == 77.0);
     CHECK(info.dt() == Approx(1.0 / 60.0));
     CHECK(info.observation_age == Approx(0.1));

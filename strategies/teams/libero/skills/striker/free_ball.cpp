@@ -15,7 +15,11 @@ bool contested(const Picture& picture) {
 }  // namespace
 
 std::optional<Move> freeBall(const Picture& picture, int robot, Memory& memory) {
-  if (!disputesFreeBall(picture) || !contested(picture)) return std::nullopt;
+  const Vec2 rel = picture.ballFrom(robot);
+  const bool behind = rel.x > 0.5 * norm(rel);
+  if (!behind || !disputesFreeBall(picture) || !contested(picture)) return std::nullopt;
+  if (memory.spin.locked <= 0.0 && isStandOff(picture, rel, shotOf(picture, robot, memory.shot).aim))
+    return std::nullopt;
   return Move{.twist = pressOn(picture, robot, memory.press),
               .reason = "a free ball is disputed",
               .ball = firstTouch(picture)};

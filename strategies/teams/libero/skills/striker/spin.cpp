@@ -1,4 +1,7 @@
+#include <cmath>
+
 #include "strategies/skills/wall_play.hpp"
+#include "strategies/teams/libero/attack/press.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
 
 namespace fulbito::libero::striker {
@@ -8,6 +11,22 @@ Move turning(const Picture& picture, Memory::Spin& spin, const char* reason) {
   spin.left -= picture.seen.dt;
   if (spin.left <= 0.0) spin.locked = picture.tuning.spin_time;
   return {.twist = {0.0, spin.sense * picture.tuning.spin_rate}, .reason = reason};
+}
+
+Move begin(const Picture& picture, int robot, Memory& memory, Vec2 wanted, const char* reason) {
+  memory.press.jammed = 0.0;
+  memory.spin.left = picture.tuning.spin_time;
+  memory.spin.sense = spinSense(picture.own(robot).pose.position, picture.ball.now().position, wanted);
+  return turning(picture, memory.spin, reason);
+}
+
+/// Across the field: past their goal, where a mate waits, and away from ours.
+Vec2 across(Vec2 ball) { return {0.0, std::copysign(1.0, -ball.x * ball.y)}; }
+
+/// Whether the ball is beside a robot that would take long to drive round it.
+bool beside(const Picture& picture, Vec2 rel, const Aim& aim) {
+  return !picture.pitch.shoves && !aim.wall && norm(rel) < picture.pitch.touch &&
+         std::abs(dot(unitOr(rel, {}), aim.direction)) < 0.5;
 }
 
 /// Whether the ball lies at a wall beside the robot or behind it.
@@ -24,16 +43,18 @@ std::optional<Move> spinOn(const Picture& picture, int /*robot*/, Memory& memory
 }
 
 std::optional<Move> spin(const Picture& picture, int robot, Memory& memory) {
+  if (memory.spin.locked > 0.0) return std::nullopt;
   const Tuning& tuning = picture.tuning;
-  if (picture.ball.now().position.x <= tuning.spin_from) return std::nullopt;
-  const Vec2 rel = picture.ballFrom(robot);
+  const Vec2 rel = picture.ballFrom(robot), ball = picture.ball.now().position;
   const Aim& aim = shotOf(picture, robot, memory.shot).aim;
-  const bool jammed = memory.press.jammed > tuning.jam_time;
-  if (memory.spin.locked > 0.0 || (!jammed && !pinned(picture, rel, aim))) return std::nullopt;
-  memory.press.jammed = 0.0;
-  memory.spin.left = tuning.spin_time;
-  memory.spin.sense = spinSense(picture.own(robot).pose.position, picture.ball.now().position, aim.direction);
-  return turning(picture, memory.spin, jammed ? "the ball is jammed" : "the ball is pinned at a wall");
+  if (isStandOff(picture, rel, aim)) return begin(picture, robot, memory, across(ball), "nobody gives way");
+  if (ball.x <= tuning.spin_from) return std::nullopt;
+  if (beside(picture, rel, aim)) return begin(picture, robot, memory, aim.direction, "the ball is beside it");
+  if (memory.press.jammed > tuning.jam_time)
+    return begin(picture, robot, memory, aim.direction, "the ball is jammed");
+  if (pinned(picture, rel, aim))
+    return begin(picture, robot, memory, aim.direction, "the ball is pinned at a wall");
+  return std::nullopt;
 }
 
 }  // namespace fulbito::libero::striker

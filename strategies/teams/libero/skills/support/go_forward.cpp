@@ -12,7 +12,9 @@ std::optional<Move> goForward(const Picture& picture, int robot, Memory& /*memor
       ball.x <= pitch.half_length / 2 * (1.0 - 2.0 * picture.tuning.aggression))
     return std::nullopt;
   const double far_side = farSide(ball, picture.own(robot).pose.position);
-  const Vec2 place{std::min(ball.x - 2 * pitch.bodies, pitch.half_length - pitch.area_front - pitch.around),
+  // Spins throw the ball across the field, so there the robot waits level with it.
+  const double back = pitch.shoves ? 2 * pitch.bodies : 0.0;
+  const Vec2 place{std::min(ball.x - back, pitch.half_length - pitch.area_front - pitch.around),
                    far_side * pitch.goal_half};
   return standBy(picture, robot, place, "the ball is far forward");
 }

@@ -2,13 +2,14 @@
 
 namespace fulbito::libero::support {
 
-/// Two robots that push in one direction win a ball that one alone could only hold. In the open field of a
-/// small match, a second robot at the ball is missed elsewhere. One ahead of the ball would be in the
-/// striker's way.
+/// Two robots that push in one direction win a ball that one alone could only hold. Where two cannot move an
+/// opponent, the second one is worth more elsewhere, but for matches with many robots. The same holds for
+/// the open field of a small match. One ahead of the ball would be in the striker's way.
 std::optional<Move> join(const Picture& picture, int robot, Memory& memory) {
   const BallState& ball = picture.ball.now();
   const Tuning& tuning = picture.tuning;
-  if (picture.rank[static_cast<std::size_t>(robot)] > 0 ||
+  const bool helps = picture.pitch.shoves || picture.pitch.isLarge();
+  if (!helps || picture.rank[static_cast<std::size_t>(robot)] > 0 ||
       picture.own(robot).pose.position.x > ball.position.x ||
       squaredNorm(ball.velocity) > tuning.pushable * tuning.pushable ||
       picture.opponentsNear(ball.position, tuning.rival_far) == 0)

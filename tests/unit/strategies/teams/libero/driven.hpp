@@ -1,17 +1,20 @@
 #pragma once
 
-#include <utility>
-
 #include "fulbito/strategy.hpp"
-#include "navigation/followers/limiter.hpp"
+#include "strategies/skills/quick_twist.hpp"
 
 namespace fulbito::test {
 
-/// The robot one tick after a twist command, with the limits of the match.
+/// The robot one tick after a twist, as libero drives it.
 inline RobotState driven(const MatchInfo& info, const RobotState& robot, Twist twist) {
   const double dt = info.physics.controlPeriod();
-  const Twist limited = limitTwist(steady(info.robot), bodyTwist(robot), twist, dt);
-  return rolledForward(info.robot, robot, saturate(info.robot, inverseKinematics(info.robot, limited)), dt);
+  const WheelSpeeds wheels = quickTwist(info.robot, robot, twist, dt).wheels;
+  return rolledForward(info.robot, robot, saturate(info.robot, wheels), dt);
+}
+
+/// The twist in one tick's reach for which a robot's command sets the wheels.
+inline Twist twistOf(const MatchInfo& info, const RobotCommand& command) {
+  return forwardKinematics(info.robot, command.wheels);
 }
 
 }  // namespace fulbito::test

@@ -7,6 +7,7 @@
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_stream.hpp"
+#include "tests/unit/strategies/teams/libero/driven.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
 namespace fulbito {
@@ -37,10 +38,11 @@ int goalsAhead(const char* opponent, int pairs, double half_seconds) {
 }  // namespace
 
 TEST_CASE("libero beats the chaser and the classic team", "[unit]") {
-  // Measured in two series of eight such pairs with seeds from 1000 and from 2000 on: 14.6 and 16.6 goals per
-  // pair ahead of the chaser, 8.9 and 9.3 ahead of classic. The pairs below give 34 and 29; the bars leave
-  // about a tenth for changes that mean nothing.
-  CHECK(goalsAhead("chaser", 2, 150.0) >= 30);
+  // Measured in three series of eight such pairs with seeds from 1000, 2000 and 3000 on: 6.6, 14.5 and 8.6
+  // goals per pair ahead of the chaser, 9.6, 10.1 and 9.1 ahead of classic. The pairs below give 9 and 29;
+  // the bars leave room for changes that mean nothing, more for the chaser, whose goals vary by 9 in two
+  // pairs.
+  CHECK(goalsAhead("chaser", 2, 150.0) >= 6);
   CHECK(goalsAhead("classic", 3, 150.0) >= 26);
 }
 
@@ -140,9 +142,9 @@ TEST_CASE("libero's penalties: who stands to take it does, and runs on when the 
   const auto taker = [&] {
     const TeamCommand command = team->decide(seen);
     CHECK(command.roles[1] == kStriker);
-    return command.robots[1].twist;
+    return test::twistOf(info, command.robots[1]);
   };
-  CHECK(taker().linear > 0.9 * info.robot.maxSpeed());
+  CHECK(taker().linear == Approx(info.robot.wheel_acceleration / 60.0).epsilon(0.01));
   seen.since_restart = 0.2;
   seen.tick = 313;
   seen.own[1] = test::standingAt({{0.2, -0.0175}, 0.1});
@@ -163,11 +165,12 @@ TEST_CASE("libero's striker waits outside their area until a mate has left it", 
     // This is the last moment at which the robot can still stop outside.
     seen.own[2] = test::standingAt({{0.50, 0.0}, 0.0});
     seen.own[2].state.velocity = {0.6, 0.0};
+    seen.own[2].state.wheels = inverseKinematics(info.robot, {0.6, 0.0});
     seen.ball.position = {0.62, 0.0};
-    return team->decide(seen).robots[2].twist.linear;
+    return test::twistOf(info, team->decide(seen).robots[2]).linear;
   };
-  CHECK(speed({0.20, -0.40}) > 0.3);
-  CHECK(speed({0.70, -0.25}) < 0.1);
+  CHECK(speed({0.20, -0.40}) >= 0.6);
+  CHECK(speed({0.70, -0.25}) < 0.5);
 }
 
 }  // namespace fulbito

@@ -93,11 +93,11 @@ inline std::vector<Vec2> afterRestart(RestartKind kind, bool ours, TeamId seat) 
   return bodies;
 }
 
-inline MatchInfo infoOf(int team_size) {
+inline MatchInfo infoOf(int team_size, const char* robot = "vsss") {
   MatchInfo info;
   info.field = *loadField(team_size == 3 ? "vsss-3v3" : "vsss-5v5");
-  info.robot = loadRobot("vsss")->robot;
-  info.ball = loadRobot("vsss")->ball;
+  info.robot = loadRobot(robot)->robot;
+  info.ball = loadRobot(robot)->ball;
   info.rules.team_size = team_size;
   return info;
 }

@@ -1,8 +1,8 @@
 #include "strategies/teams/libero/motion/bounds.hpp"
 
 #include "engine/core/math/random.hpp"
-#include "navigation/followers/limiter.hpp"
 #include "strategies/skills/area_projection.hpp"
+#include "strategies/skills/quick_twist.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
@@ -37,10 +37,9 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
       if (rng.uniform(0.0, 1.0) < 3.6 * dt) wanted = {rng.uniform(-1.2, 1.2), rng.uniform(-12.0, 12.0)};
       const libero::Picture picture{seen, pitch, ball};
       const RobotCommand command = libero::keptOut(picture, 1, {own, !own}, wanted);
-      const Twist limited = limitTwist(steady(info.robot), bodyTwist(robot), command.twist, dt);
       const WheelSpeeds wheels = command.kind == RobotCommand::Kind::kWheels
                                      ? command.wheels
-                                     : inverseKinematics(info.robot, limited);
+                                     : quickTwist(info.robot, robot, command.twist, dt).wheels;
       robot = rolledForward(info.robot, robot, saturate(info.robot, wheels), dt);
       const double room = outside(robot.pose.position);
       near += room < least + 0.02 ? 1 : 0;

@@ -1,7 +1,9 @@
 #include <cmath>
 
 #include "fulbito/detail/math.hpp"
+#include "strategies/teams/libero/playbook/skills.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/unit/strategies/teams/libero/driven.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
 namespace fulbito {
@@ -22,8 +24,8 @@ TEST_CASE("libero's taker of a free ball drives straight at it, also where its m
       seen.own[i].state.pose.position = places[i];
       seen.opponents[i].state.pose = {{mark + 0.2 + 0.1 * static_cast<double>(i), -0.4}, math::kPi};
     }
-    const Twist taker = team->decide(seen).robots[1].twist;
-    CHECK(taker.linear > 0.9 * info.robot.maxSpeed());
+    const Twist taker = test::twistOf(info, team->decide(seen).robots[1]);
+    CHECK(taker.linear == Approx(info.robot.wheel_acceleration / 60.0));
     CHECK(std::abs(taker.angular) < 0.1);
   }
 }
@@ -41,9 +43,9 @@ TEST_CASE("libero drives at a free ball from its mark beside the area", "[unit]"
   seen.restart = RestartKind::kFreeBall;
   for (int i = 0; i < 6; ++i) {
     seen.since_restart = i / 60.0;
-    const RobotCommand command = team->decide(seen).robots[1];
-    CHECK(command.twist.linear > 0.9 * info.robot.maxSpeed());
-    CHECK(std::abs(command.twist.angular) < 3.0);
+    const Twist taker = test::twistOf(info, team->decide(seen).robots[1]);
+    CHECK(taker.linear > 0.9 * info.robot.wheel_acceleration / 60.0);
+    CHECK(std::abs(taker.angular) < 3.0);
   }
 }
 
@@ -62,13 +64,50 @@ TEST_CASE("libero lets a free ball that is pinched between two slip out to the s
     for (int i = 0; i < 24; ++i) {
       seen.tick = Tick{12} + i;
       seen.since_restart = static_cast<double>(seen.tick) / 60.0;
-      last = team->decide(seen).robots[1].twist;
+      last = test::twistOf(info, team->decide(seen).robots[1]);
       if (i == 0) first = last;
     }
     CHECK(std::abs(first.angular) < 0.2);
     CHECK(last.angular * side > 1.0);
-    CHECK(last.linear > 0.9 * info.robot.maxSpeed());
+    CHECK(last.linear > 0.5 * info.robot.wheel_acceleration / 60.0);
   }
+}
+
+TEST_CASE("where robots cannot push each other away, libero spins a free ball past their goal", "[unit]") {
+  const MatchInfo info = test::infoOf(3, "firasim");
+  for (const double side : {1.0, -1.0}) {
+    const auto team = test::liberoIn(info);
+    Observation seen;
+    seen.team_size = 3;
+    seen.own[0] = test::standingAt({{-0.71, 0.0}, 1.57});
+    seen.own[1] = test::standingAt({{0.316, side * 0.4}, 0.0});
+    seen.own[2] = test::standingAt({{0.1, 0.0}, 0.0});
+    seen.opponents[0] = test::standingAt({{0.434, side * 0.4}, math::kPi});
+    seen.ball.position = {0.375, side * 0.4};
+    seen.restart = RestartKind::kFreeBall;
+    seen.since_restart = 0.5;
+    const Twist taker = test::twistOf(info, team->decide(seen).robots[1]);
+    CHECK(taker.angular * side == Approx(-info.robot.turnAcceleration() / 60.0));
+  }
+}
+
+TEST_CASE("the taker of a free ball leaves it to other skills once it is not behind it", "[unit]") {
+  const libero::Pitch pitch(test::infoOf(3));
+  const auto drivesOn = [&](Vec2 taker) {
+    Observation seen;
+    seen.own[1] = test::standingAt({taker, 0.0});
+    seen.opponents[0] = test::standingAt({{0.45, 0.45}, math::kPi});
+    seen.ball.position = {0.36, 0.5};
+    seen.restart = RestartKind::kFreeBall;
+    seen.since_restart = 1.0;
+    libero::BallForecast ball;
+    ball.take(seen.ball, {});
+    libero::Memory memory;
+    return libero::striker::freeBall({seen, pitch, ball}, 1, memory).has_value();
+  };
+  CHECK(drivesOn({0.28, 0.5}));
+  CHECK_FALSE(drivesOn({0.36, 0.42}));
+  CHECK_FALSE(drivesOn({0.42, 0.5}));
 }
 
 }  // namespace fulbito

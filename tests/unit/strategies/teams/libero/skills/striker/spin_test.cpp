@@ -1,0 +1,38 @@
+#include "strategies/teams/libero/playbook/skills.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/unit/strategies/teams/libero/scenes.hpp"
+
+namespace fulbito {
+
+namespace {
+
+/// The yaw rate [rad/s] of the spin of a robot at `robot` beside an opponent; 0: it does not spin.
+double spins(const char* model, Vec2 place, Vec2 robot, Vec2 opponent) {
+  const libero::Pitch pitch(test::infoOf(3, model));
+  Observation seen;
+  seen.team_size = 3;
+  seen.own[1] = test::standingAt({place + robot, 0.0});
+  seen.opponents[0] = test::standingAt({place + opponent, math::kPi});
+  seen.ball.position = place;
+  libero::BallForecast ball;
+  ball.take(seen.ball, {});
+  libero::Memory memory;
+  const auto move = libero::striker::spin({seen, pitch, ball}, 1, memory);
+  return move ? move->twist.angular : 0.0;
+}
+
+}  // namespace
+
+TEST_CASE("robots that cannot push each other away spin: past their goal, or away from ours", "[unit]") {
+  const Vec2 behind{-0.06, 0.0}, ahead{0.06, 0.0};
+  for (const double side : {1.0, -1.0}) {
+    CHECK(side * spins("firasim", {0.3, side * 0.2}, behind, ahead) < 0.0);
+    CHECK(side * spins("firasim", {-0.3, side * 0.2}, behind, ahead) > 0.0);
+    CHECK(spins("vsss", {0.3, side * 0.2}, behind, ahead) == 0.0);
+    // Beside the ball, the spin throws it toward their goal.
+    CHECK(side * spins("firasim", {0.3, 0.0}, {0.0, -side * 0.06}, {0.3, 0.0}) < 0.0);
+    CHECK(spins("firasim", {-0.3, 0.0}, {0.0, -side * 0.06}, {0.3, 0.0}) == 0.0);
+  }
+}
+
+}  // namespace fulbito
