@@ -91,9 +91,10 @@ TEST_CASE("where robots cannot push each other away, libero spins a free ball pa
   }
 }
 
-TEST_CASE("the taker of a free ball leaves it to other skills once it is not behind it", "[unit]") {
-  const libero::Pitch pitch(test::infoOf(3));
-  const auto drivesOn = [&](Vec2 taker) {
+TEST_CASE("where robots cannot push each other away, the taker drives on only while it is behind the ball",
+          "[unit]") {
+  const auto drivesOn = [](const char* robot, Vec2 taker) {
+    const libero::Pitch pitch(test::infoOf(3, robot));
     Observation seen;
     seen.own[1] = test::standingAt({taker, 0.0});
     seen.opponents[0] = test::standingAt({{0.45, 0.45}, math::kPi});
@@ -105,9 +106,10 @@ TEST_CASE("the taker of a free ball leaves it to other skills once it is not beh
     libero::Memory memory;
     return libero::striker::freeBall({seen, pitch, ball}, 1, memory).has_value();
   };
-  CHECK(drivesOn({0.28, 0.5}));
-  CHECK_FALSE(drivesOn({0.36, 0.42}));
-  CHECK_FALSE(drivesOn({0.42, 0.5}));
+  CHECK(drivesOn("firasim", {0.28, 0.5}));
+  CHECK_FALSE(drivesOn("firasim", {0.36, 0.42}));
+  CHECK_FALSE(drivesOn("firasim", {0.42, 0.5}));
+  CHECK(drivesOn("vsss", {0.36, 0.42}));
 }
 
 }  // namespace fulbito
