@@ -169,11 +169,12 @@ def verdict(drill):
 def reached(bar):
     if bar["value"] is None:
         return f"{bar['measure']} never"
-    scale, unit = (100, " %") if bar["statistic"] == "rate" else (1, "")
+    # Spaces that do not break keep each number with its unit.
+    scale, unit = (100, "\u00a0%") if bar["statistic"] == "rate" else (1, "")
     if bar["measure"] == "error" and bar["statistic"] != "rate":
-        scale, unit = 100, " cm"
+        scale, unit = 100, "\u00a0cm"
     if bar["measure"] in ("time", "excess") and bar["statistic"] != "rate":
-        unit = " s"
+        unit = "\u00a0s"
     start = f"{bar['start']}: " if bar["start"] else ""
     return f"{start}{bar['measure']} {scale * bar['value']:.4g}{unit}"
 
