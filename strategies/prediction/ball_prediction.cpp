@@ -147,7 +147,13 @@ std::optional<BallPrediction::Crossing> BallPrediction::crossing(Vec2 point, Vec
 }
 
 void BallPrediction::sample(std::span<Vec2> points, double step) const {
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] = positionAt(static_cast<double>(i + 1) * step);
+  int index = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double t = static_cast<double>(i + 1) * step;
+    while (endOf(index) <= t) ++index;
+    const Stretch& stretch = stretches_[static_cast<std::size_t>(index)];
+    points[i] = stretch.motion.positionAt(t - stretch.begin);
+  }
 }
 
 }  // namespace fulbito

@@ -58,7 +58,13 @@ std::optional<BallWalls::Hit> BallWalls::firstHit(const EvenMotion& motion, doub
   for (const Line& line : lines_) {
     if (dot(end - line.begin, line.normal) <= 4.0 * bulge) meetLine(line, motion, first, until);
   }
-  for (const Vec2 post : posts_) meetPost(post, motion, first, until);
+  const Vec2 stop = motion.positionAt(until);
+  const double reach =
+      radius_ + norm(motion.acceleration) * until * until / 8.0 + distance(motion.position, stop) / 2.0;
+  for (const Vec2 post : posts_) {
+    if (squaredNorm((motion.position + stop) / 2.0 - post) <= reach * reach)
+      meetPost(post, motion, first, until);
+  }
   return first;
 }
 
@@ -81,10 +87,6 @@ void BallWalls::meetPost(Vec2 post, const EvenMotion& motion, std::optional<Hit>
   constexpr double kTouch = 1e-5;  // [m]
   constexpr double kStep = 1e-4;   // [m] least motion between two looks of a ball that leaves the post
   constexpr int kMostLooks = 200;
-  const Vec2 end = motion.positionAt(until);
-  const double bulge = norm(motion.acceleration) * until * until / 8.0;
-  const double reach = radius_ + bulge + distance(motion.position, end) / 2.0;
-  if (squaredNorm((motion.position + end) / 2.0 - post) > reach * reach) return;
   // The speed is greatest at an end of the motion. At that speed the ball needs at least the time below to
   // close the gap.
   const double fastest = std::max(norm(motion.velocity), norm(motion.velocityAt(until)));

@@ -45,29 +45,35 @@ double openMouth(const Picture& picture, Vec2 from, double shooter_y, double las
   double best = 0.0, best_score = -1e9;
   for (int i = 0; i < (rolls_at ? 8 : 7); ++i) {
     const double y = i == 7 ? *rolls_at : first * edge * (3 - i) / 3;
+    const auto priced = [&](double gap) {
+      double score = gap - picture.tuning.middle_price * std::abs(y);
+      if (rolls_at) score -= picture.tuning.course_price * std::abs(y - *rolls_at);
+      return std::abs(y - last) < pitch.ball_radius ? score + pitch.ball_radius : score;
+    };
+    double gap = pitch.bodies;  // wider gaps are not better
+    if (priced(gap) <= best_score) continue;
     const Vec2 way = Vec2{line, y} - from;
     const double length = norm(way);
     const Vec2 to = way / std::max(length, 1e-9);
-    double score = pitch.bodies;  // wider gaps are not better
     for (int j = 0; j < picture.seen.team_size; ++j) {
       if (!picture.opponentPresent(j)) continue;
       const Vec2 rel = intoFrame(to, picture.opponent(j).pose.position - from);
       if (rel.x < 0.0 || rel.x > length + pitch.robot_corner) continue;
-      score = std::min(score, std::abs(rel.y) - pitch.front);
+      gap = std::min(gap, std::abs(rel.y) - pitch.front);
     }
-    score -= picture.tuning.middle_price * std::abs(y);
-    if (rolls_at) score -= picture.tuning.course_price * std::abs(y - *rolls_at);
-    if (std::abs(y - last) < pitch.ball_radius) score += pitch.ball_radius;
+    const double score = priced(gap);
     if (score > best_score) best_score = score, best = y;
   }
   return best;
 }
 
+bool isAtWall(const Pitch& pitch, Vec2 ball) {
+  return std::abs(ball.y) > pitch.goal_half && wallClearance(pitch.field, ball) <= pitch.robot_corner;
+}
+
 Aim aimAt(const Pitch& pitch, Vec2 ball, Vec2 target) {
   Aim aim{ball, unitOr(target - ball, {1.0, 0.0}), false};
-  // In front of a goal mouth there is no wall.
-  if (std::abs(ball.y) <= pitch.goal_half || wallClearance(pitch.field, ball) > pitch.robot_corner)
-    return aim;
+  if (!isAtWall(pitch, ball)) return aim;
   const Vec2 normal = nearestWallNormal(pitch.field, ball);
   if (dot(aim.direction, normal) < -pitch.tuning.lean) return aim;
   const Vec2 along = wayAlong(normal, ball);

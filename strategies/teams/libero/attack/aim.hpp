@@ -15,6 +15,10 @@ struct Aim {
 /// `shooter_y`. `last` is the previous result, which is kept while it is nearly as good.
 double openMouth(const Picture& picture, Vec2 from, double shooter_y, double last);
 
+/// Whether a ball at `ball` leaves no room for a robot between it and a wall. In front of a goal mouth there
+/// is no wall.
+bool isAtWall(const Pitch& pitch, Vec2 ball);
+
 /// The aim for a ball at `ball` toward `target`. It leads along the wall if there is no room for a robot
 /// behind the ball.
 Aim aimAt(const Pitch& pitch, Vec2 ball, Vec2 target);

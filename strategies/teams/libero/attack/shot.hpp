@@ -19,6 +19,9 @@ struct ShotMemory {
   std::optional<Shot> now;  ///< the shot of this tick, once a skill has asked for it
 };
 
+/// Where [m] the robot will touch the ball.
+Vec2 shotBall(const Picture& picture, int robot);
+
 /// The robot's shot in this tick. The first skill that asks computes it; the play book forgets it with each
 /// tick.
 const Shot& shotOf(const Picture& picture, int robot, ShotMemory& memory);

@@ -23,22 +23,16 @@ struct Bound {
   /// The depth [m] of a point in the area widened by `margin`; negative outside.
   double depth(Vec2 p) const { return margin - distanceTo(area, intoGoalFrame(pitch.field, Side::kLeft, p)); }
 
-  /// The greatest depth [m] while the rolled robot `roll` brakes to rest.
-  double deepest(Roll roll) const {
-    double most = depth(roll.place);
-    const int horizon = ticksToRest(pitch);
-    for (int i = 0; i < horizon && !roll.rests(); ++i) {
-      roll.brake();
-      most = std::max(most, depth(roll.place));
-    }
-    return most;
-  }
-
   /// Whether a robot that drives `twist` and then brakes stays within the depth `limit` [m].
   bool allows(Twist twist, double limit = 0.0) const {
     Roll roll(pitch, robot);
     for (int i = ticksTried(pitch, norm(robot.velocity)); i > 0; --i) roll.drive(twist);
-    return deepest(roll) <= limit;
+    double now = depth(roll.place);
+    for (int left = ticksToRest(pitch); now <= limit; --left, roll.brake(), now = depth(roll.place)) {
+      const double most = (std::abs(roll.forward) + std::abs(roll.across)) * left * pitch.tick;
+      if (now + most <= limit) return true;
+    }
+    return false;
   }
 
   /// Unit vector of the shortest way out of the area.

@@ -10,10 +10,13 @@ namespace fulbito::libero {
 
 inline constexpr double kStands = 1e-9;  ///< [m/s] rounding: below it, braking wheels stand still
 
-/// Ticks until a robot that brakes from its top speed rests, after one tick of any command.
-inline int ticksToRest(const Pitch& pitch) {
-  return 1 + static_cast<int>(std::ceil(pitch.speed / (pitch.plannedBraking() * pitch.tick)));
+/// Ticks until a robot that brakes from `speed` [m/s] rests, after one tick of any command.
+inline int ticksToRest(const Pitch& pitch, double speed) {
+  return 1 + static_cast<int>(std::ceil(speed / (pitch.plannedBraking() * pitch.tick)));
 }
+
+/// The same from its top speed.
+inline int ticksToRest(const Pitch& pitch) { return ticksToRest(pitch, pitch.speed); }
 
 /// Ticks for which a robot must be able to go on with a command before it takes it. One that stands tries a
 /// few: the first tick moves it so little that any command seems harmless, and it would start and stop

@@ -1,8 +1,8 @@
 #include "strategies/teams/libero/motion/room.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
 
 #include "engine/core/models/field_places.hpp"
 #include "fulbito/detail/math.hpp"
@@ -30,6 +30,9 @@ double gapOf(double half, Vec2 between, Vec2 a, Vec2 b) {
   return farthest - half - reach(half, a, b);
 }
 
+/// An upper bound of a vector's length, without a root.
+double length(Vec2 v) { return std::abs(v.x) + std::abs(v.y); }
+
 /// A body as seen from one robot that must not touch it: the opponents' keeper, or a mate.
 struct Body {
   const Picture& picture;
@@ -55,20 +58,33 @@ struct Body {
         roll.brake();
       else
         roll.drive(twist);
-      if (gapAfter(roll, i) < pitch.tuning.body_gap) return false;
+      const double gap = gapAfter(roll, i);
+      if (gap < pitch.tuning.body_gap) return false;
+      if (i >= tried && gap - mostLost(roll, i, horizon - 1 - i) > pitch.tuning.body_gap) return true;
     }
     return true;
   }
 
+  /// The most [m] that the gap after `ticks` can shrink in `more` ticks in which the robot brakes.
+  double mostLost(const Roll& roll, int ticks, int more) const {
+    const double time = std::min(more, ticksToRest(pitch, std::abs(roll.forward) + std::abs(roll.yaw) +
+                                                              std::abs(roll.across))) *
+                        pitch.tick;
+    const double shift = (std::abs(roll.forward) + std::abs(roll.across) + length(other.velocity)) * time;
+    const double turn = std::abs(roll.yaw) / pitch.half_track * time;
+    const Vec2 between = other.pose.position + other.velocity * (ticks * pitch.tick) - roll.place;
+    return shift + (length(between) + shift + pitch.robot_half) * turn;
+  }
+
   /// The gap [m] to the other, summed over the ticks of a twist with the walls in the way: the sooner the
   /// robot leaves, the greater. Gaps above the ball's radius count as that; otherwise arcs that rub along the
-  /// other but end farther away would win.
-  double gapsBy(Twist twist) const {
+  /// other but end farther away would win. It stops early where the sum cannot reach `enough`.
+  double gapsBy(Twist twist, double enough) const {
     const double most = pitch.ball_radius;
     Roll roll = start;
     double sum = 0.0;
     const int ticks = static_cast<int>(std::lround(passTicks(pitch)));
-    for (int i = 1; i <= ticks; ++i) {
+    for (int i = 1; i <= ticks && sum + most * (ticks + 1 - i) >= enough; ++i) {
       const Vec2 before = roll.place;
       roll.drive(twist);
       roll.place = walled(roll.place, roll.face);
@@ -103,30 +119,35 @@ struct Body {
     return in_mouth ? Vec2{p.x, std::clamp(p.y, -post, post)} : insideWalls(pitch.field, p, half);
   }
 
-  /// The twist that brings the robot off the other soonest, with either end, turning or not, and its gaps
-  /// [m] as in `gapsBy`.
-  std::pair<Twist, double> soonest() const {
+  /// The ways off the other: with either end, turning or not.
+  std::array<Twist, 6> waysOff() const {
     const Vec2 off = self.pose.position - other.pose.position;
     // Of two equal ways round, the one that the robot faces, so that both hands are alike.
     const Vec2 beside = perp(off) * (dot(start.face, perp(off)) >= 0.0 ? 1.0 : -1.0);
     const double v = pitch.speed;
-    Twist best;
-    double most = -1e9;
-    for (const Twist twist : {Twist{v, 0.0}, Twist{-v, 0.0}, alongHeading(pitch, self, math::angleOf(off), v),
-                              alongHeading(pitch, self, math::angleOf(beside), v),
-                              alongHeading(pitch, self, math::angleOf(-beside), v), Twist{}}) {
-      const double gaps = gapsBy(twist);
-      if (gaps > most + 1e-9) most = gaps, best = twist;
-    }
-    return {best, most};
+    return {Twist{v, 0.0},
+            Twist{-v, 0.0},
+            alongHeading(pitch, self, math::angleOf(off), v),
+            alongHeading(pitch, self, math::angleOf(beside), v),
+            alongHeading(pitch, self, math::angleOf(-beside), v),
+            Twist{}};
   }
 
   /// Whether third robots and walls keep the robot at the other.
-  bool isTrapped() const { return soonest().second < touchGap(pitch) * passTicks(pitch); }
+  bool isTrapped() const {
+    const std::array<Twist, 6> ways = waysOff();
+    const double enough = touchGap(pitch) * passTicks(pitch);
+    return std::none_of(ways.begin(), ways.end(), [&](Twist way) { return gapsBy(way, enough) >= enough; });
+  }
 
   /// The command that brings the robot off the other soonest.
   RobotCommand away() const {
-    const Twist best = soonest().first;
+    Twist best;
+    double most = -1e9;
+    for (const Twist way : waysOff()) {
+      const double gaps = gapsBy(way, most);
+      if (gaps > most + 1e-9) most = gaps, best = way;
+    }
     if (best.angular != 0.0) return RobotCommand::byTwist(best);
     // Wheel speeds, because a twist would first stop the robot's rotation.
     return RobotCommand::byWheels({best.linear / pitch.wheel_radius, best.linear / pitch.wheel_radius});
@@ -149,7 +170,6 @@ struct Body {
 /// Whether the opponent is in its own area or enters it before a robot could turn away: such opponents count
 /// as keepers.
 bool keeps(const Picture& picture, int opponent) {
-  if (!picture.opponentPresent(opponent)) return false;
   const RobotState& other = picture.opponent(opponent);
   return isInArea(picture.pitch.field, other.pose.position, false) ||
          isInArea(picture.pitch.field, other.pose.position + other.velocity * picture.pitch.turn_time, false);
@@ -157,11 +177,19 @@ bool keeps(const Picture& picture, int opponent) {
 
 /// Whether the two cannot meet before the robot rests, at any heading.
 bool isFar(const Pitch& pitch, const RobotState& self, const RobotState& keeper) {
+  const double away = squaredNorm(keeper.pose.position - self.pose.position);
+  const double near = 4 * pitch.bodies;  // no robot has time to come from farther
+  if (away > near * near) return true;
   const double ways =
       mostWay(pitch, norm(self.velocity)) + norm(keeper.velocity) * (ticksToRest(pitch) * pitch.tick);
-  const double near = 4 * pitch.bodies;  // no robot has time to come from farther
   const double apart = ways + pitch.bodies + 2 * pitch.tuning.body_gap;
-  return squaredNorm(keeper.pose.position - self.pose.position) > std::min(near * near, apart * apart);
+  return away > apart * apart;
+}
+
+/// Whether the circles around the two are too far apart for a touch.
+bool isApart(const Pitch& pitch, const RobotState& self, const RobotState& mate) {
+  const double near = pitch.bodies + 2 * touchGap(pitch);
+  return squaredNorm(mate.pose.position - self.pose.position) > near * near;
 }
 
 /// Whether the ball lies between the two. Then the robot meets the keeper at the ball, which is allowed.
@@ -209,9 +237,8 @@ std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twi
   if (picture.disputes(robot)) return std::nullopt;
   const RobotState& self = picture.own(robot);
   for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (!keeps(picture, i)) continue;
     const RobotState& other = picture.opponent(i);
-    if (isFar(picture.pitch, self, other)) continue;
+    if (!picture.opponentPresent(i) || isFar(picture.pitch, self, other) || !keeps(picture, i)) continue;
     if (ballBetween(picture, self, other)) continue;
     if (auto off = clearOf({picture, self, other}, wanted)) return off;
   }
@@ -227,8 +254,10 @@ std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twis
     if (i == robot || !picture.ownPresent(i)) continue;
     const RobotState& mate = picture.own(i);
     if (isFar(picture.pitch, self, mate)) continue;
+    const bool first = !yields(picture, robot, i);
+    if (first && isApart(picture.pitch, self, mate)) continue;
     const Body body{picture, self, mate};
-    const bool touches = body.gap() < touchGap(picture.pitch), first = !yields(picture, robot, i);
+    const bool touches = body.gap() < touchGap(picture.pitch);
     if (touches && (!first || Body{picture, mate, self}.isTrapped())) {
       memory = {picture.pitch.turn_time, body.away()};
       return memory.command;

@@ -14,7 +14,9 @@ std::optional<Move> join(const Picture& picture, int robot, Memory& memory) {
       squaredNorm(ball.velocity) > tuning.pushable * tuning.pushable ||
       picture.opponentsNear(ball.position, tuning.rival_far) == 0)
     return std::nullopt;
-  if (!picture.pitch.isLarge() && !shotOf(picture, robot, memory.shot).aim.wall) return std::nullopt;
+  if (!picture.pitch.isLarge() &&
+      (!isAtWall(picture.pitch, shotBall(picture, robot)) || !shotOf(picture, robot, memory.shot).aim.wall))
+    return std::nullopt;
   auto move = striker::squeeze(picture, robot, memory);
   if (!move) move = striker::strike(picture, robot, memory);
   move->reason = "an opponent fights for the ball";
