@@ -31,6 +31,11 @@ double timeAlong(const RobotPace& pace, double distance, double speed) {
   return 2.0 * distance / (start + std::sqrt(start * start + 2.0 * a * distance) + 1e-12);
 }
 
+double wayFromRest(const RobotPace& pace, double time) {
+  const double ramp = std::min(time, pace.speed / pace.acceleration);
+  return pace.acceleration * ramp * ramp / 2.0 + pace.speed * (time - ramp);
+}
+
 double timeToTurn(const RobotPace& pace, double angle) {
   // Bang-bang turning takes 2 sqrt(angle / a).
   return 2.0 * std::sqrt(angle / pace.turning);

@@ -19,6 +19,9 @@ struct RobotPace {
 /// it), without a stop at the end.
 double timeAlong(const RobotPace& pace, double distance, double speed);
 
+/// The way [m] that a robot covers from rest in `time` [s]: the inverse of `timeAlong`.
+double wayFromRest(const RobotPace& pace, double time);
+
 /// Time [s] of a turn in place by `angle` [rad] >= 0 from rest to rest.
 double timeToTurn(const RobotPace& pace, double angle);
 

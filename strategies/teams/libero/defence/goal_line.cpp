@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "engine/core/math/braking.hpp"
+#include "engine/core/models/field_places.hpp"
 #include "fulbito/detail/math.hpp"
+#include "strategies/prediction/time_to_reach.hpp"
 
 namespace fulbito::libero {
 
@@ -20,6 +22,18 @@ std::optional<double> crossing(const Picture& picture, double line) {
     before = after;
   }
   return std::nullopt;
+}
+
+// Until the ball arrives at a post, the keeper covers a part of the gap. Half of the difference of both
+// parts, toward the post that the ball reaches sooner, leaves equal rests of both gaps.
+double evenRestPlace(const Picture& picture) {
+  const Pitch& pitch = picture.pitch;
+  const Vec2 ball = picture.ball.sample(1), post{0.0, pitch.goal_half};
+  const double speed = norm(picture.ball.now().velocity);
+  const double left = timeAlong(pitch.pace, distance(ball, pitch.ownGoal() + post), speed);
+  const double right = timeAlong(pitch.pace, distance(ball, pitch.ownGoal() - post), speed);
+  return equalGapPoint(pitch.field, ball, keeperDepth(pitch)).y +
+         (wayFromRest(pitch.pace, right) - wayFromRest(pitch.pace, left)) / 2;
 }
 
 bool shotComes(const Picture& picture) {

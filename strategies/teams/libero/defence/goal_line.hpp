@@ -17,6 +17,10 @@ inline double keeperLine(const Pitch& pitch) { return keeperDepth(pitch) - pitch
 /// not.
 std::optional<double> crossing(const Picture& picture, double line);
 
+/// y [m] of a keeper that awaits a ball which opponents push: equal gaps to both posts would leave the far
+/// one more time, so it stands nearer to the other.
+double evenRestPlace(const Picture& picture);
+
 /// Whether a ball rolls into the own goal or at a post, and is not slow.
 bool shotComes(const Picture& picture);
 

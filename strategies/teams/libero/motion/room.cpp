@@ -1,8 +1,8 @@
 #include "strategies/teams/libero/motion/room.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 #include "engine/core/models/field_places.hpp"
 #include "fulbito/detail/math.hpp"
@@ -119,34 +119,19 @@ struct Body {
     return in_mouth ? Vec2{p.x, std::clamp(p.y, -post, post)} : insideWalls(pitch.field, p, half);
   }
 
-  /// The ways off the other: with either end, turning or not.
-  std::array<Twist, 6> waysOff() const {
+  /// The command that brings the robot off the other soonest, with either end, turning or not.
+  RobotCommand away() const {
     const Vec2 off = self.pose.position - other.pose.position;
     // Of two equal ways round, the one that the robot faces, so that both hands are alike.
     const Vec2 beside = perp(off) * (dot(start.face, perp(off)) >= 0.0 ? 1.0 : -1.0);
     const double v = pitch.speed;
-    return {Twist{v, 0.0},
-            Twist{-v, 0.0},
-            alongHeading(pitch, self, math::angleOf(off), v),
-            alongHeading(pitch, self, math::angleOf(beside), v),
-            alongHeading(pitch, self, math::angleOf(-beside), v),
-            Twist{}};
-  }
-
-  /// Whether third robots and walls keep the robot at the other.
-  bool isTrapped() const {
-    const std::array<Twist, 6> ways = waysOff();
-    const double enough = touchGap(pitch) * passTicks(pitch);
-    return std::none_of(ways.begin(), ways.end(), [&](Twist way) { return gapsBy(way, enough) >= enough; });
-  }
-
-  /// The command that brings the robot off the other soonest.
-  RobotCommand away() const {
     Twist best;
     double most = -1e9;
-    for (const Twist way : waysOff()) {
-      const double gaps = gapsBy(way, most);
-      if (gaps > most + 1e-9) most = gaps, best = way;
+    for (const Twist twist : {Twist{v, 0.0}, Twist{-v, 0.0}, alongHeading(pitch, self, math::angleOf(off), v),
+                              alongHeading(pitch, self, math::angleOf(beside), v),
+                              alongHeading(pitch, self, math::angleOf(-beside), v), Twist{}}) {
+      const double gaps = gapsBy(twist, most);
+      if (gaps > most + 1e-9) most = gaps, best = twist;
     }
     if (best.angular != 0.0) return RobotCommand::byTwist(best);
     // Wheel speeds, because a twist would first stop the robot's rotation.
@@ -250,6 +235,7 @@ std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twis
   memory.left -= picture.seen.dt;
   if (memory.left > 0.0) return memory.command;
   const RobotState& self = picture.own(robot);
+  const double held = std::exchange(memory.touching, 0.0);
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (i == robot || !picture.ownPresent(i)) continue;
     const RobotState& mate = picture.own(i);
@@ -258,8 +244,9 @@ std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twis
     if (first && isApart(picture.pitch, self, mate)) continue;
     const Body body{picture, self, mate};
     const bool touches = body.gap() < touchGap(picture.pitch);
-    if (touches && (!first || Body{picture, mate, self}.isTrapped())) {
-      memory = {picture.pitch.turn_time, body.away()};
+    if (touches) memory.touching = held + picture.seen.dt;
+    if (touches && (!first || (held > 2 * picture.pitch.turn_time && !picture.disputes(robot)))) {
+      memory = {picture.pitch.turn_time, held, body.away()};
       return memory.command;
     }
     if (!touches && !first && !body.allows(wanted)) return body.kept(wanted);

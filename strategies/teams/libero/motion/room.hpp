@@ -19,13 +19,15 @@ std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twi
 /// What a robot remembers while it leaves a mate. The best way off changes with each small motion, and a
 /// robot that always took it would stand and tremble.
 struct YieldMemory {
-  double left = 0.0;  ///< [s] for which the command stays
+  double left = 0.0;      ///< [s] for which the command stays
+  double touching = 0.0;  ///< [s] for which it has touched a mate
   RobotCommand command;
 };
 
 /// Mates yield: what `robot` does instead of `wanted` if that would hit a mate that goes first. A robot at
-/// the ball goes first, then the keeper, the striker, and the supports in their order. Any robot leaves a
-/// mate that cannot yield, because others and walls hold it. Empty: `wanted` is fine.
+/// the ball goes first, then the keeper, the striker, and the supports in their order. Any robot without the
+/// ball leaves a mate that it touches for long: walls, areas or others may hold the mate. Empty: `wanted` is
+/// fine.
 std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twist wanted,
                                          YieldMemory& memory);
 

@@ -29,6 +29,14 @@ TEST_CASE("the time along a line is the engine's", "[unit]") {
   }
 }
 
+TEST_CASE("the way from rest is the inverse of the time along it", "[unit]") {
+  const RobotPace pace(test::matchInfo().robot);
+  for (const double way : {0.0, 0.01, 0.1, 0.3, 1.0}) {
+    CAPTURE(way);
+    CHECK(wayFromRest(pace, timeAlong(pace, way, 0.0)) == Approx(way).margin(1e-6));
+  }
+}
+
 TEST_CASE("the folded angle is within 0.004 rad", "[unit]") {
   for (double angle = 0.01; angle < math::kPi / 2; angle += 0.01) {
     CHECK(foldedAngle(std::sin(angle), std::cos(angle)) == Approx(angle).margin(0.004));

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/models/field_places.hpp"
 #include "strategies/skills/dribbling.hpp"
 #include "strategies/teams/libero/defence/goal_line.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
@@ -28,13 +27,13 @@ std::optional<Move> standInGoal(const Picture& picture, int robot, Memory& /*mem
   const double line = keeperLine(pitch);
   const auto shot = crossing(picture, line + pitch.ball_radius);
   const bool comes = shot && std::abs(*shot) < pitch.goal_half + pitch.robot_corner;
-  const double wanted = comes ? *shot + lead(picture, line)
-                              : equalGapPoint(pitch.field, picture.ball.sample(1), keeperDepth(pitch)).y;
+  const double wanted = comes ? *shot + lead(picture, line) : evenRestPlace(picture);
   const double most = pitch.goal_half - pitch.ball_radius;
   const double y = std::clamp(wanted, -most, most);
-  return Move{.twist = slideTo(picture, picture.own(robot), line, y),
-              .reason = comes ? "the ball will cross the line there" : "both gaps are equal there",
-              .place = Vec2{line, y}};
+  return Move{
+      .twist = slideTo(picture, picture.own(robot), line, y),
+      .reason = comes ? "the ball will cross the line there" : "both posts are as easy to reach there",
+      .place = Vec2{line, y}};
 }
 
 }  // namespace fulbito::libero::keeper

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/core/math/random.hpp"
+#include "engine/core/models/field_places.hpp"
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_stream.hpp"
@@ -42,6 +43,35 @@ TEST_CASE("libero's keeper knows where a ball crosses its line", "[unit]") {
     }
   }
   CHECK(crossings > 20);
+}
+
+TEST_CASE("libero's keeper stands nearer to the post that a pushed ball reaches sooner", "[unit]") {
+  const MatchInfo info = test::infoOf(3);
+  const libero::Pitch pitch(info);
+  const BallCourse course(info.field, info.ball, info.physics);
+  // How far it stands from the place with equal gaps to both posts, toward the ball's side.
+  const auto shift = [&](double y, double speed) {
+    Observation seen;
+    seen.ball.position = {-0.45, y};
+    seen.ball.velocity = seen.ball.spin = {speed, 0.0};
+    BallPrediction way;
+    way.predict(course, seen.ball);
+    libero::BallForecast ball;
+    ball.take(seen.ball, way);
+    const double even = equalGapPoint(pitch.field, ball.sample(1), libero::keeperDepth(pitch)).y;
+    return (libero::evenRestPlace({seen, pitch, ball}) - even) * (y < 0.0 ? -1.0 : 1.0);
+  };
+  CHECK(shift(0.0, 0.0) == Approx(0.0).margin(1e-12));
+  for (const double y : {0.05, 0.15, 0.3}) {
+    CAPTURE(y);
+    CHECK(shift(y, 0.0) > 0.0);
+    CHECK(shift(-y, 0.0) == Approx(shift(y, 0.0)).margin(1e-12));
+    // A ball from rest gives the keeper the way that one post is nearer, halved; a fast ball gives less.
+    const double near = distance({-0.45, y}, {-pitch.half_length, pitch.goal_half});
+    const double far = distance({-0.45, y}, {-pitch.half_length, -pitch.goal_half});
+    CHECK(shift(y, 0.0) < (far - near) / 2 + 0.01);
+    CHECK(shift(y, 0.8) < shift(y, 0.0));
+  }
 }
 
 TEST_CASE("libero's keeper slides along its line and stops where it should", "[unit]") {

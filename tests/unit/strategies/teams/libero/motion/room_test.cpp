@@ -136,7 +136,8 @@ TEST_CASE("libero brakes or turns off before a keeper that it drives at, unless 
   CHECK((leaves->kind == RobotCommand::Kind::kWheels ? leaves->wheels.left : leaves->twist.linear) < 0.0);
 }
 
-TEST_CASE("of two mates that converge the one of lower role gives way, unless others hold it", "[unit]") {
+TEST_CASE("of two mates that converge the one of lower role gives way, and both after long contact",
+          "[unit]") {
   const MatchInfo info = test::infoOf(3);
   const libero::Pitch pitch(info);
   libero::BallForecast ball;
@@ -160,13 +161,17 @@ TEST_CASE("of two mates that converge the one of lower role gives way, unless ot
   seen.own[2].state.pose.position.x = -0.2 + 2.0 * pitch.robot_half + 0.001;
   CHECK_FALSE(off(1, 1.0));
   CHECK(off(2, 0.0));
-  // An opponent on each other side holds the lower, so the higher leaves.
-  const Vec2 held = seen.own[2].state.pose.position;
-  const double apart = 2.0 * pitch.robot_half + 0.001;
-  seen.opponents[0] = test::standingAt({held + Vec2{apart, 0.0}, 0.0});
-  seen.opponents[1] = test::standingAt({held + Vec2{0.0, apart}, 0.0});
-  seen.opponents[2] = test::standingAt({held - Vec2{0.0, apart}, 0.0});
-  CHECK(off(1, 1.0));
+  // If the lower cannot leave, the higher does: soon, and unless it disputes the ball.
+  seen.dt = pitch.tick;
+  const auto leavesAfter = [&] {
+    libero::YieldMemory memory;
+    double touched = 0.0;
+    while (touched < 1.0 && !libero::clearOfMates(picture, 1, {pitch.speed, 0.0}, memory)) touched += seen.dt;
+    return touched;
+  };
+  CHECK(leavesAfter() == Approx(2 * pitch.turn_time).margin(2 * seen.dt));
+  picture.dispute_left[1] = 1.0;
+  CHECK(leavesAfter() >= 1.0);
 }
 
 TEST_CASE("a robot that touches a mate keeps its way off for a moment", "[unit]") {
