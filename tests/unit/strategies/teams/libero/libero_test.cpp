@@ -38,12 +38,11 @@ int goalsAhead(const char* opponent, int pairs, double half_seconds) {
 }  // namespace
 
 TEST_CASE("libero beats the chaser and the classic team", "[unit]") {
-  // Measured in three series of eight such pairs with seeds from 1000, 2000 and 3000 on: 6.6, 14.5 and 8.6
-  // goals per pair ahead of the chaser, 9.6, 10.1 and 9.1 ahead of classic. The pairs below give 9 and 29;
-  // the bars leave room for changes that mean nothing, more for the chaser, whose goals vary by 9 in two
-  // pairs.
+  // Measured in three series of eight such pairs with seeds from 1000, 2000 and 3000 on: 11.4, 8.1 and 11.4
+  // goals per pair ahead of the chaser, 8.1, 7.9 and 8.3 ahead of classic. Single pairs vary by 4, so the bars
+  // are about half of what the pairs below should give.
   CHECK(goalsAhead("chaser", 2, 150.0) >= 6);
-  CHECK(goalsAhead("classic", 3, 150.0) >= 26);
+  CHECK(goalsAhead("classic", 6, 150.0) >= 25);
 }
 
 TEST_CASE("libero against itself: a swapped pair cancels", "[unit]") {

@@ -30,8 +30,8 @@ TEST_CASE("robots that cannot push each other away spin: past their goal, or awa
     CHECK(side * spins("firasim", {-0.3, side * 0.2}, behind, ahead) > 0.0);
     CHECK(spins("vsss", {0.3, side * 0.2}, behind, ahead) == 0.0);
     // Beside the ball, the spin throws it toward their goal.
-    CHECK(side * spins("firasim", {0.3, 0.0}, {0.0, -side * 0.06}, {0.3, 0.0}) < 0.0);
-    CHECK(spins("firasim", {-0.3, 0.0}, {0.0, -side * 0.06}, {0.3, 0.0}) == 0.0);
+    CHECK(side * spins("firasim", {0.55, 0.0}, {0.0, -side * 0.06}, {0.3, 0.0}) < 0.0);
+    CHECK(spins("firasim", {0.3, 0.0}, {0.0, -side * 0.06}, {0.3, 0.0}) == 0.0);
   }
 }
 
