@@ -27,10 +27,11 @@ struct Bound {
   bool allows(Twist twist, double limit = 0.0) const {
     Roll roll(pitch, robot);
     for (int i = ticksTried(pitch, norm(robot.velocity)); i > 0; --i) roll.drive(twist);
-    double now = depth(roll.place);
-    for (int left = ticksToRest(pitch); now <= limit; --left, roll.brake(), now = depth(roll.place)) {
-      const double most = (std::abs(roll.forward) + std::abs(roll.across)) * left * pitch.tick;
-      if (now + most <= limit) return true;
+    int left = ticksToRest(pitch);
+    for (double now = depth(roll.place); now <= limit; now = depth(roll.place)) {
+      const double way = (std::abs(roll.forward) + std::abs(roll.across)) * (left-- * pitch.tick);
+      if (now + way <= limit) return true;
+      roll.brake();
     }
     return false;
   }

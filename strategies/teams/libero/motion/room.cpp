@@ -31,7 +31,7 @@ double gapOf(double half, Vec2 between, Vec2 a, Vec2 b) {
 }
 
 /// An upper bound of a vector's length, without a root.
-double length(Vec2 v) { return std::abs(v.x) + std::abs(v.y); }
+double lengthAtMost(Vec2 v) { return std::abs(v.x) + std::abs(v.y); }
 
 /// A body as seen from one robot that must not touch it: the opponents' keeper, or a mate.
 struct Body {
@@ -70,10 +70,11 @@ struct Body {
     const double time = std::min(more, ticksToRest(pitch, std::abs(roll.forward) + std::abs(roll.yaw) +
                                                               std::abs(roll.across))) *
                         pitch.tick;
-    const double shift = (std::abs(roll.forward) + std::abs(roll.across) + length(other.velocity)) * time;
+    const double shift =
+        (std::abs(roll.forward) + std::abs(roll.across) + lengthAtMost(other.velocity)) * time;
     const double turn = std::abs(roll.yaw) / pitch.half_track * time;
     const Vec2 between = other.pose.position + other.velocity * (ticks * pitch.tick) - roll.place;
-    return shift + (length(between) + shift + pitch.robot_half) * turn;
+    return shift + (lengthAtMost(between) + shift + pitch.robot_half) * turn;
   }
 
   /// The gap [m] to the other, summed over the ticks of a twist with the walls in the way: the sooner the
