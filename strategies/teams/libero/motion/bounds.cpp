@@ -27,13 +27,13 @@ struct Bound {
   bool allows(Twist twist, double limit = 0.0) const {
     Roll roll(pitch, robot);
     for (int i = ticksTried(pitch, norm(robot.velocity)); i > 0; --i) roll.drive(twist);
-    int left = ticksToRest(pitch);
-    for (double now = depth(roll.place); now <= limit; now = depth(roll.place)) {
-      const double way = (std::abs(roll.forward) + std::abs(roll.across)) * (left-- * pitch.tick);
-      if (now + way <= limit) return true;
+    for (int left = ticksToRest(pitch); left >= 0; --left) {
+      const double now = depth(roll.place);
+      const double way = (std::abs(roll.forward) + std::abs(roll.across)) * (left * pitch.tick);
+      if (now > limit || now + way <= limit) return now <= limit;
       roll.brake();
     }
-    return false;
+    return true;
   }
 
   /// Unit vector of the shortest way out of the area.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "engine/core/models/field_places.hpp"
 #include "fulbito/detail/math.hpp"
@@ -236,7 +235,10 @@ std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twis
   memory.left -= picture.seen.dt;
   if (memory.left > 0.0) return memory.command;
   const RobotState& self = picture.own(robot);
-  const double held = std::exchange(memory.touching, 0.0);
+  const double held = memory.touching,
+               longest = picture.disputes(robot) ? picture.tuning.patience / 2 : 2 * picture.pitch.turn_time;
+  // It fades instead of ending at once, since a noisy sight parts robots that touch.
+  memory.touching = std::max(0.0, held - picture.seen.dt);
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (i == robot || !picture.ownPresent(i)) continue;
     const RobotState& mate = picture.own(i);
@@ -246,7 +248,7 @@ std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twis
     const Body body{picture, self, mate};
     const bool touches = body.gap() < touchGap(picture.pitch);
     if (touches) memory.touching = held + picture.seen.dt;
-    if (touches && (!first || (held > 2 * picture.pitch.turn_time && !picture.disputes(robot)))) {
+    if (touches && (!first || held > longest)) {
       memory = {picture.pitch.turn_time, held, body.away()};
       return memory.command;
     }
