@@ -86,8 +86,11 @@ function paintDrawings(ctx, view, scene, moment) {
       // An outline in the floor's colour keeps words readable over lines.
       ctx.strokeStyle = colours.floor;
       ctx.lineWidth = seam;
-      ctx.strokeText(text[i].slice(0, 80), view.x(x[i]), view.y(y[i]));
-      ctx.fillText(text[i].slice(0, 80), view.x(x[i]), view.y(y[i]));
+      const words = text[i].slice(0, 80), side = ctx.measureText(words).width / 2 + seam;
+      const edge = ctx.canvas.width / ctx.getTransform().a;
+      const middle = Math.min(Math.max(view.x(x[i]), side), Math.max(side, edge - side));
+      ctx.strokeText(words, middle, view.y(y[i]));
+      ctx.fillText(words, middle, view.y(y[i]));
     }
   }
 }

@@ -132,8 +132,9 @@ class SvgScene {
     } else if (drawn.kind == RecordedDrawing::Kind::kCircle) {
       svg_.ring(from, view_.px(drawn.radius), thickness, colour);
     }
-    const double size = plan_.text(12);
-    svg_.text(from + Vec2{0.0, 0.33 * size}, drawn.text, {size, colour, TextAlign::kCentre, false});
+    const DrawnWords words = wordsOf(view_, plan_, drawn);
+    svg_.text(words.centre + Vec2{0.0, 0.33 * words.size}, words.text,
+              {words.size, colour, TextAlign::kCentre, false});
   }
 
   void board(const ReplayMoment& moment) {

@@ -69,9 +69,17 @@ Colour inkOf(const RecordedDrawing& drawing, const MatchPictureSpec& spec) {
   return spec.layout ? style.lone.ink : style.teams[indexOf(drawing.team)].ink;
 }
 
+DrawnWords wordsOf(const FieldView& view, const MatchPlan& plan, const RecordedDrawing& drawing) {
+  const double size = plan.text(12);
+  const std::string text = fitted(view.canvas, drawing.text, size, kLongestText * plan.width);
+  const double side = view.canvas.textWidth(text, size) / 2 + size / 4;
+  const Vec2 place = view.at(drawing.from);
+  return {text, {std::clamp(place.x, side, std::max(side, plan.width - side)), place.y}, size};
+}
+
 void drawDrawings(const FieldView& view, const MatchPlan& plan, const MatchPictureSpec& spec,
                   std::span<const RecordedDrawing> drawings) {
-  const double thickness = std::max(1.0, 1.6 * plan.unit), size = plan.text(12);
+  const double thickness = std::max(1.0, 1.6 * plan.unit);
   for (const RecordedDrawing& drawing : drawings) {
     const Colour colour = inkOf(drawing, spec);
     const Vec2 from = view.at(drawing.from);
@@ -81,8 +89,8 @@ void drawDrawings(const FieldView& view, const MatchPlan& plan, const MatchPictu
       view.canvas.circle(from, view.px(drawing.radius), thickness, colour);
     }
     if (drawing.text.empty()) continue;
-    const std::string text = fitted(view.canvas, drawing.text, size, kLongestText * plan.width);
-    drawWord(view.canvas, from, text, {size, colour, TextAlign::kCentre, false},
+    const DrawnWords words = wordsOf(view, plan, drawing);
+    drawWord(view.canvas, words.centre, words.text, {words.size, colour, TextAlign::kCentre, false},
              styleOf(spec.theme).field.floor);
   }
 }

@@ -20,6 +20,13 @@ void drawDrawings(const FieldView& view, const MatchPlan& plan, const MatchPictu
                   std::span<const RecordedDrawing> drawings);
 /// The colour of a drawing.
 Colour inkOf(const RecordedDrawing& drawing, const MatchPictureSpec& spec);
+/// The words of a drawing as the picture shows them.
+struct DrawnWords {
+  std::string text;  ///< cut to a share of the picture's width
+  Vec2 centre;       ///< [px] their middle: moved into the picture, so that no edge cuts them
+  double size;       ///< [px]
+};
+DrawnWords wordsOf(const FieldView& view, const MatchPlan& plan, const RecordedDrawing& drawing);
 /// Draws a banner on a plate over the upper part of the field.
 void drawBanner(Canvas& canvas, const MatchPlan& plan, const MatchBanner& banner, const MatchStyle& style);
 

@@ -215,4 +215,24 @@ TEST_CASE("trails end at their bodies and begin with the play", "[unit]") {
   }
 }
 
+TEST_CASE("words of drawings at an edge of the picture are moved inside", "[unit]") {
+  for (const double x : {-0.78, 0.78}) {
+    RecordedDrawing word;
+    word.kind = RecordedDrawing::Kind::kText;
+    word.from = {x, -0.3};
+    word.text = "words that are longer than there is room";
+    MatchOverlays overlays;
+    overlays.drawings = std::span(&word, 1);
+    const Canvas without = drawn(duel(), apart()), with = drawn(duel(), apart(), overlays);
+    const int width = with.width(), height = with.height();
+    CAPTURE(x);
+    CHECK(differing(without, with) > 500);
+    CHECK(differing(without, with, 0, 0, 2, height) == 0);
+    CHECK(differing(without, with, width - 2, 0, width, height) == 0);
+    // The whole text is there, next to the edge.
+    const int left = x < 0.0 ? 0 : width - 300;
+    CHECK(differing(without, with, left, 0, left + 300, height) == differing(without, with));
+  }
+}
+
 }  // namespace fulbito
