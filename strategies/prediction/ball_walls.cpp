@@ -58,6 +58,7 @@ std::optional<BallWalls::Hit> BallWalls::firstHit(const EvenMotion& motion, doub
   for (const Line& line : lines_) {
     if (dot(end - line.begin, line.normal) <= 4.0 * bulge) meetLine(line, motion, first, until);
   }
+  // All of the path lies in a circle around the middle of its chord.
   const Vec2 stop = motion.positionAt(until);
   const double reach =
       radius_ + norm(motion.acceleration) * until * until / 8.0 + distance(motion.position, stop) / 2.0;

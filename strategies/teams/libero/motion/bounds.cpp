@@ -29,7 +29,7 @@ struct Bound {
     for (int i = ticksTried(pitch, norm(robot.velocity)); i > 0; --i) roll.drive(twist);
     for (int left = ticksToRest(pitch); left >= 0; --left) {
       const double now = depth(roll.place);
-      const double way = (std::abs(roll.forward) + std::abs(roll.across)) * (left * pitch.tick);
+      const double way = roll.fastest() * (left * pitch.tick);  // no longer way is left
       if (now > limit || now + way <= limit) return now <= limit;
       roll.brake();
     }

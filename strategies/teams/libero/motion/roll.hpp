@@ -10,13 +10,10 @@ namespace fulbito::libero {
 
 inline constexpr double kStands = 1e-9;  ///< [m/s] rounding: below it, braking wheels stand still
 
-/// Ticks until a robot that brakes from `speed` [m/s] rests, after one tick of any command.
-inline int ticksToRest(const Pitch& pitch, double speed) {
-  return 1 + static_cast<int>(std::ceil(speed / (pitch.plannedBraking() * pitch.tick)));
+/// Ticks until a robot that brakes from its top speed rests, after one tick of any command.
+inline int ticksToRest(const Pitch& pitch) {
+  return 1 + static_cast<int>(std::ceil(pitch.speed / (pitch.plannedBraking() * pitch.tick)));
 }
-
-/// The same from its top speed.
-inline int ticksToRest(const Pitch& pitch) { return ticksToRest(pitch, pitch.speed); }
 
 /// Ticks for which a robot must be able to go on with a command before it takes it. One that stands tries a
 /// few: the first tick moves it so little that any command seems harmless, and it would start and stop
@@ -61,6 +58,8 @@ struct Roll {
     across = local.y;
   }
 
+  /// An upper bound of its speed [m/s] while it brakes.
+  double fastest() const { return std::abs(forward) + std::abs(across); }
   bool rests() const { return forward == 0.0 && yaw == 0.0 && across == 0.0; }
 
   /// One tick of a twist. As in the limiter, the acceleration of the wheels goes to turning first.

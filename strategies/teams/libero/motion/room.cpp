@@ -66,11 +66,8 @@ struct Body {
 
   /// The most [m] that the gap after `ticks` can shrink in `more` ticks in which the robot brakes.
   double mostLost(const Roll& roll, int ticks, int more) const {
-    const double time = std::min(more, ticksToRest(pitch, std::abs(roll.forward) + std::abs(roll.yaw) +
-                                                              std::abs(roll.across))) *
-                        pitch.tick;
-    const double shift =
-        (std::abs(roll.forward) + std::abs(roll.across) + lengthAtMost(other.velocity)) * time;
+    const double time = more * pitch.tick;
+    const double shift = (roll.fastest() + lengthAtMost(other.velocity)) * time;
     const double turn = std::abs(roll.yaw) / pitch.half_track * time;
     const Vec2 between = other.pose.position + other.velocity * (ticks * pitch.tick) - roll.place;
     return shift + (lengthAtMost(between) + shift + pitch.robot_half) * turn;

@@ -30,10 +30,9 @@ std::optional<Move> standInGoal(const Picture& picture, int robot, Memory& /*mem
   const double wanted = comes ? *shot + lead(picture, line) : evenRestPlace(picture);
   const double most = pitch.goal_half - pitch.ball_radius;
   const double y = std::clamp(wanted, -most, most);
-  return Move{
-      .twist = slideTo(picture, picture.own(robot), line, y),
-      .reason = comes ? "the ball will cross the line there" : "both posts are as easy to reach there",
-      .place = Vec2{line, y}};
+  return Move{.twist = slideTo(picture, picture.own(robot), line, y),
+              .reason = comes ? "the ball will cross the line there" : "ready for both posts",
+              .place = Vec2{line, y}};
 }
 
 }  // namespace fulbito::libero::keeper

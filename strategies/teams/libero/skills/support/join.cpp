@@ -14,6 +14,7 @@ std::optional<Move> join(const Picture& picture, int robot, Memory& memory) {
       squaredNorm(ball.velocity) > tuning.pushable * tuning.pushable ||
       picture.opponentsNear(ball.position, tuning.rival_far) == 0)
     return std::nullopt;
+  // The wall comes first, because the search for an aim takes longer.
   if (!picture.pitch.isLarge() &&
       (!isAtWall(picture.pitch, shotBall(picture, robot)) || !shotOf(picture, robot, memory.shot).aim.wall))
     return std::nullopt;

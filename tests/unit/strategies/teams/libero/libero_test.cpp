@@ -39,10 +39,10 @@ int goalsAhead(const char* opponent, int pairs, double half_seconds) {
 
 TEST_CASE("libero beats the chaser and the classic team", "[unit]") {
   // Measured in three series of eight such pairs with seeds from 1000, 2000 and 3000 on: 11.4, 8.1 and 11.4
-  // goals per pair ahead of the chaser, 8.1, 7.9 and 8.3 ahead of classic. Single pairs vary by 4, so the
-  // bars are about half of what the pairs below should give.
+  // goals per pair ahead of the chaser, 8.1, 7.9 and 8.3 ahead of classic. Single pairs vary by 4. The
+  // pairs below give 23 and 77; the bars leave room for changes that mean nothing.
   CHECK(goalsAhead("chaser", 2, 150.0) >= 6);
-  CHECK(goalsAhead("classic", 6, 150.0) >= 25);
+  CHECK(goalsAhead("classic", 12, 150.0) >= 60);
 }
 
 TEST_CASE("libero against itself: a swapped pair cancels", "[unit]") {

@@ -161,7 +161,7 @@ TEST_CASE("of two mates that converge the one of lower role gives way, and both 
   seen.own[2].state.pose.position.x = -0.2 + 2.0 * pitch.robot_half + 0.001;
   CHECK_FALSE(off(1, 1.0));
   CHECK(off(2, 0.0));
-  // If the lower cannot leave, the higher does: soon, and unless it disputes the ball.
+  // If the lower cannot leave, the higher does: soon, and later if it disputes the ball.
   seen.dt = pitch.tick;
   const double touching = seen.own[2].state.pose.position.x;
   const auto leavesAfter = [&](double noise) {
