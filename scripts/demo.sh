@@ -34,9 +34,10 @@ make -s -C "$out/my-team"
 echo
 echo "A match: two halves of five minutes, recorded"
 "$fulbito" match libero classic --seed 7 --record "$out/match.fbr" --force
-"$fulbito" replay export "$out/match.fbr" --force --png "$out/match.png" --at 60 --contact-sheet "$out/match-sheet.png" \
+"$fulbito" replay export "$out/match.fbr" --force --png "$out/match.png" --at 60 \
   --gif "$out/match.gif" --from 40 --to 60 --speed 2
-"$fulbito" replay export "$out/match.fbr" --html "$out/match.html" --force
+# Of the whole match: --at would choose the sheet's moments, too.
+"$fulbito" replay export "$out/match.fbr" --force --contact-sheet "$out/match-sheet.png" --html "$out/match.html"
 echo
 echo "The match as pictures: $out/match.png, $out/match-sheet.png, $out/match.gif"
 echo "Pictures: $out/*.png (time.png and distance.png sum up; corner-0-1.0.png shows the paper's methods and the best)"
