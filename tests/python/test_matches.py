@@ -35,7 +35,7 @@ def test_a_match_has_the_figures_of_the_program(words: tuple[str, ...], program:
 
 
 def test_a_result_says_what_happened(short_match: fulbito.MatchResult) -> None:
-    assert short_match.teams == ("libero", "classic")
+    assert short_match.teams == ("libero", "idle")
     goals = [event for event in short_match.events if event.event == "goal"]
     assert short_match.score == (sum(g.team == "blue" for g in goals), sum(g.team == "yellow" for g in goals))
     blue, yellow = short_match.score
@@ -45,7 +45,7 @@ def test_a_result_says_what_happened(short_match: fulbito.MatchResult) -> None:
     assert len(table) == len(short_match.events)
     assert (table["event"] == "goal").sum() == len(goals)
     assert short_match.statistics["blue"]["shots"] > 0
-    assert f"libero {blue} : {yellow} classic" in repr(short_match)
+    assert f"libero {blue} : {yellow} idle" in repr(short_match)
     assert "<iframe" in short_match._repr_html_()
 
 

@@ -10,13 +10,13 @@ from fulbito import MatchResult, Recording
 
 
 def test_it_says_what_it_is(recording: Recording, short_match: MatchResult) -> None:
-    assert recording.teams == ["libero", "classic"]
+    assert recording.teams == ["libero", "idle"]
     assert recording.bodies == ["blue 0", "blue 1", "blue 2", "yellow 0", "yellow 1", "yellow 2", "ball"]
     assert recording.score == short_match.score
     assert recording.seconds == pytest.approx(short_match.data["simulated_s"])
     assert recording.header["kind"] == "match"
     blue, yellow = short_match.score
-    assert f"libero {blue} : {yellow} classic" in repr(recording)
+    assert f"libero {blue} : {yellow} idle" in repr(recording)
 
 
 def test_its_calls_are_those_of_the_match(recording: Recording, short_match: MatchResult) -> None:
@@ -47,7 +47,9 @@ def test_velocity_is_the_change_of_place(recording: Recording) -> None:
     # At a restart, robots jump to their places in one tick, faster than any robot drives [m/s].
     jumps = np.abs(moved).max(axis=1) > 3.0
     assert jumps.sum() <= 2
-    assert np.abs(moved - states.velocity[201:400, 1, :2])[~jumps].max() < 0.3
+    # In a tick of a hit the velocity changes between two steps of the physics.
+    differences = np.abs(moved - states.velocity[201:400, 1, :2]).max(axis=1)[~jumps]
+    assert np.quantile(differences, 0.9) < 0.1
 
 
 def test_one_body(recording: Recording) -> None:
@@ -85,7 +87,7 @@ def test_verification(recording: Recording) -> None:
 def test_files_and_recipes(recording: Recording, tmp_path: Path) -> None:
     recording.save(tmp_path / "whole.fbr")
     whole = Recording.open(tmp_path / "whole.fbr")
-    recipe = fulbito.play("libero", "classic", seed=5, half_seconds=20, record=tmp_path / "recipe.fbr",
+    recipe = fulbito.play("libero", "idle", seed=5, half_seconds=20, record=tmp_path / "recipe.fbr",
                           recipe=True).recording
     assert recipe is not None and recipe.header["level"] == "recipe"
     assert recipe.header["bytes"] < whole.header["bytes"]
