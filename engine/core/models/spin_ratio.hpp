@@ -18,9 +18,16 @@ class SpinRatio {
   double at(double rim_speed) const { return slow_ + slope_ * std::clamp(rim_speed - from_, 0.0, span_); }
   /// The yaw rate [rad/s] that has to be commanded for a body that moves with `motion` to keep its own.
   double commandFor(const Twist& motion) const;
+  /// The yaw rate [rad/s] below which a command slows the turn of a body that moves with `motion`. Wheels of
+  /// some width have play: between this command and `commandFor`, both edges of a wheel scrub, and none
+  /// rolls.
+  double slowingCommandFor(const Twist& motion) const;
 
  private:
+  double commandForRims(double turn, double outer_edge, const Twist& motion) const;
+
   double half_track_ = 0.0;  // [m]
+  double edges_ = 0.0;       // wheel width over axle track
   double per_play_ = 0.0;    // half the rims' difference over the driving speed up to which nothing scrubs
   double from_ = 0.0;        // [m/s]
   double span_ = 0.0;        // [m/s]

@@ -1,6 +1,7 @@
 #include "navigation/followers/limiter.hpp"
 
 #include "engine/core/models/spin_ratio.hpp"
+#include "engine/sim/drive.hpp"
 #include "fulbito/navigation.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/corner_layout.hpp"
@@ -36,18 +37,42 @@ TEST_CASE("the limiter slows down by the braking of the motors", "[unit]") {
   CHECK(limitTwist(robot, {-0.5, 0.0}, {-2.0, 0.0}, dt).linear == Approx(-0.5 - 1.0 * dt));
 }
 
-TEST_CASE("a limited command slows every spin down, also where wheels spin the body faster than ideal ones",
-          "[unit]") {
+TEST_CASE("a limited command slows every spin down as hard as the motors can", "[unit]") {
   for (const char* name : {"firasim", "vsss"}) {
     const RobotModel robot = steady(loadRobot(name)->robot);
-    const double half_track = robot.axle_track / 2, dt = 1.0 / 60.0;
-    const SpinRatio ratio(robot);
-    for (double spin = 1.0; spin < 60.0; spin += 1.0) {
+    const double dt = 1.0 / 60.0;
+    for (double spin = 1.0; spin < 30.0; spin += 1.0) {
       CAPTURE(name, spin);
       const double command = limitTwist(robot, {0.0, spin}, {0.0, -60.0}, dt).angular;
-      const double reached = command * ratio.at(std::abs(command) * half_track);
-      CHECK(reached < spin - 0.9 * robot.turnAcceleration() * dt);
+      const double slowing = SpinRatio(robot).slowingCommandFor({0.0, spin});
+      CHECK(command == Approx(slowing - robot.turnAcceleration() * dt));
+      // Commands between the two neither slow nor speed up, and pass as they are.
+      CHECK(limitTwist(robot, {0.0, spin}, {0.0, (slowing + spin) / 2}, dt).angular ==
+            Approx((slowing + spin) / 2));
     }
+  }
+}
+
+TEST_CASE("robots end a spin in about the time that their motors need", "[unit]") {
+  for (const char* name : {"firasim", "vsss"}) {
+    const RobotModel robot = loadRobot(name)->robot, limits = steady(robot);
+    constexpr int kSteps = 4;
+    const double dt = 1.0 / 60.0;
+    Drive drive(robot, dt / kSteps, 0.0);
+    BodyMotion motion;
+    motion.yaw = 30.0;
+    int ticks = 0;
+    for (; ticks < 120 && motion.yaw > 1.0; ++ticks) {
+      const Twist command = limitTwist(limits, {motion.forward, motion.yaw}, {}, dt);
+      drive.setCommand(inverseKinematics(robot, command));
+      for (int step = 0; step < kSteps; ++step) {
+        const BodyMotion change = drive.step(motion);
+        motion.forward += change.forward;
+        motion.yaw += change.yaw;
+      }
+    }
+    CAPTURE(name, ticks, motion.yaw);
+    CHECK(ticks * dt < 1.25 * 30.0 / limits.turnAcceleration());
   }
 }
 

@@ -36,4 +36,19 @@ TEST_CASE("the command for a spin makes that spin, and a robot that drives turns
   }
 }
 
+TEST_CASE("a command that slows a spin lets the inner edges of the wheels roll", "[unit]") {
+  for (const char* name : {"firasim", "vsss", "jung-lee-2015"}) {
+    const RobotModel robot = loadRobot(name)->robot;
+    const SpinRatio ratio(robot);
+    const double play = robot.wheel_width / robot.axle_track;
+    for (const double spin : {-40.0, -11.0, 2.0, 14.0, 30.0}) {
+      CAPTURE(name, spin);
+      const double command = ratio.slowingCommandFor({0.0, spin});
+      const double outer = ratio.isOne() ? 1.0 : 1.0 + play;
+      const double rims = command * ratio.at(std::abs(command) * robot.axle_track / 2) * outer;
+      CHECK(rims == Approx(spin * (1.0 - play)).epsilon(0.005));
+    }
+  }
+}
+
 }  // namespace fulbito
