@@ -55,6 +55,10 @@ double openMouth(const Picture& picture, Vec2 from, double shooter_y, double las
     const Vec2 way = Vec2{line, y} - from;
     const double length = norm(way);
     const Vec2 to = way / std::max(length, 1e-9);
+    // A ball that comes slanting passes a post nearer. Beside a post, which does not move, a ball's radius is
+    // room enough.
+    const double room = to.x * (pitch.goal_half - std::abs(y)) - pitch.ball_radius;
+    gap = std::min(gap, pitch.bodies * room / pitch.ball_radius);
     for (int j = 0; j < picture.seen.team_size; ++j) {
       if (!picture.opponentPresent(j)) continue;
       const Vec2 rel = intoFrame(to, picture.opponent(j).pose.position - from);

@@ -10,11 +10,12 @@
 namespace fulbito::libero {
 namespace {
 
-/// The speed [m/s] of a robot `distance` [m] from the ball that is about to enter the circle round it. At
-/// full speed it would slide past the ball and have to come back.
+/// The speed [m/s] of a robot `distance` [m] from the ball that is about to enter the circle round it: in a
+/// quarter turn, the robot drives the circle's radius. At full speed it would slide past the ball and have to
+/// come back.
 double arrivingSpeed(const Pitch& pitch, double distance) {
   const double way = std::max(0.0, distance - pitch.around);
-  return std::min(pitch.speed, stoppingSpeed(pitch.plannedBraking(), way, pitch.tuning.touch_speed));
+  return std::min(pitch.speed, stoppingSpeed(pitch.plannedBraking(), way, pitch.around / pitch.turn_time));
 }
 
 /// The mean yaw rate [rad/s] of a quarter turn.
@@ -67,7 +68,11 @@ Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec
   side = 0;
   const double to_touch = std::max(0.0, behind - pitch.front);
   const double carrot = std::max(2 * pitch.ball_radius, to_touch / 2);
-  const double heading = along - math::atan2(local.y, carrot);
+  // The face sends the ball straight on wherever it lies on it. So a robot that has the ball turns to the
+  // direction, and drives to the ball's middle only where the ball is about to leave the face.
+  const double slack = to_touch < tuning.clearance ? pitch.robot_half / 2 : 0.0;
+  const double off = std::copysign(std::max(0.0, std::abs(local.y) - slack), local.y);
+  const double heading = along - math::atan2(off, carrot);
   const double skew = std::abs(foldedError(along, self.pose.heading));
   const double needed = skew / meanTurn(pitch) + std::abs(local.y) / tuning.side_rate;
   // The touch is faster than the ball. A robot that follows the ball at its speed cannot touch it again to

@@ -61,8 +61,9 @@ inline void checkHolds(const Placement& scene, double seconds, const char* yello
 }
 
 /// Time [s] at which a single robot has scored; 10 if it has not.
-inline double scoresAlone(Vec2 ball, const Pose2& robot, double side) {
+inline double scoresAlone(Vec2 ball, const Pose2& robot, double side, const char* model = "vsss") {
   auto config = matchOf("libero", "idle", "vsss-3v3", 20.0);
+  config.robot = *loadRobot(model);
   config.rules.stuck.seconds = config.rules.stuck.area_seconds = 20.0;
   Placement scene;
   scene.ball = ball;

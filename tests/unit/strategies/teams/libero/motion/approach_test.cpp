@@ -1,5 +1,7 @@
 #include "strategies/teams/libero/motion/approach.hpp"
 
+#include <cmath>
+
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
@@ -20,6 +22,38 @@ TEST_CASE("libero comes round a lying ball without sliding past it", "[unit]") {
   // must come again in half of the runs. In the remaining slow runs it pushes the ball at a post
   // (docs/libero.md).
   CHECK(quick >= runs * 3 / 4);
+}
+
+TEST_CASE("a robot of firasim, which speeds up slowly, carries the ball into an empty goal", "[unit]") {
+  int runs = 0, scored = 0;
+  for (const double side : {1.0, -1.0}) {
+    for (int place = 0; place < 40; ++place) {
+      const Vec2 ball{-0.6 + 0.3 * (place % 4), -0.45 + 0.1 * (place / 4)};
+      const Pose2 robot{{0.3 * ((place * 7) % 5 - 2), 0.2 * ((place * 3) % 5 - 2)}, 0.9 * place};
+      if (distance(ball, robot.position) < 0.15) continue;
+      ++runs;
+      scored += test::scoresAlone(ball, robot, side, "firasim") < 5.0 ? 1 : 0;
+    }
+  }
+  CAPTURE(scored, runs);
+  CHECK(scored >= runs * 19 / 20);
+}
+
+TEST_CASE("a robot that has the ball pushes it straight on, wherever it lies on the middle of the face",
+          "[unit]") {
+  for (const char* model : {"vsss", "firasim"}) {
+    const libero::Pitch pitch(test::infoOf(3, model));
+    RobotState robot;
+    for (const double off : {-0.015, 0.015}) {
+      robot.pose = {{-pitch.front, off}, 0.0};
+      int hand = 0;
+      CHECK(std::abs(libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, {}, hand).angular) < 1e-9);
+    }
+    // A ball near the edge of the face is brought back to its middle.
+    robot.pose.position.y = 0.02;
+    int hand = 0;
+    CHECK(libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, {}, hand).angular < -0.1);
+  }
 }
 
 TEST_CASE("libero overtakes a rolling ball whose direction it has to mend", "[unit]") {
