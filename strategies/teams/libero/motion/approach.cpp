@@ -18,6 +18,13 @@ double arrivingSpeed(const Pitch& pitch, double distance) {
   return std::min(pitch.speed, stoppingSpeed(pitch.plannedBraking(), way, pitch.around / pitch.turn_time));
 }
 
+/// How far off the middle of the face [m] the ball may lie. The face sends it straight on wherever it lies,
+/// so a robot that has it keeps the direction, and drives to its middle only where it is about to leave the
+/// face. At a wall, the robot drives along the wall instead.
+double slackOnFace(const Pitch& pitch, Vec2 contact) {
+  return wallClearance(pitch.field, contact) > pitch.robot_corner ? pitch.robot_half / 2 : 0.0;
+}
+
 /// The mean yaw rate [rad/s] of a quarter turn.
 double meanTurn(const Pitch& pitch) { return math::kPi / 2 / pitch.turn_time; }
 
@@ -68,9 +75,7 @@ Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec
   side = 0;
   const double to_touch = std::max(0.0, behind - pitch.front);
   const double carrot = std::max(2 * pitch.ball_radius, to_touch / 2);
-  // The face sends the ball straight on wherever it lies on it. So a robot that has the ball turns to the
-  // direction, and drives to the ball's middle only where the ball is about to leave the face.
-  const double slack = to_touch < tuning.clearance ? pitch.robot_half / 2 : 0.0;
+  const double slack = to_touch < tuning.clearance ? slackOnFace(pitch, contact) : 0.0;
   const double off = std::copysign(std::max(0.0, std::abs(local.y) - slack), local.y);
   const double heading = along - math::atan2(off, carrot);
   const double skew = std::abs(foldedError(along, self.pose.heading));

@@ -49,8 +49,13 @@ TEST_CASE("a robot that has the ball pushes it straight on, wherever it lies on 
       int hand = 0;
       CHECK(std::abs(libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, {}, hand).angular) < 1e-9);
     }
+    // At a wall, it drives along the wall.
+    const Vec2 at_wall{0.0, pitch.half_width - pitch.robot_half};
+    robot.pose.position = at_wall + Vec2{-pitch.front, 0.015};
+    int toward = 0;
+    CHECK(std::abs(libero::driveThrough(pitch, robot, at_wall, {1.0, 0.0}, 0.09, {}, toward).angular) > 0.1);
     // A ball near the edge of the face is brought back to its middle.
-    robot.pose.position.y = 0.02;
+    robot.pose.position = {-pitch.front, 0.02};
     int hand = 0;
     CHECK(libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, {}, hand).angular < -0.1);
   }
