@@ -8,15 +8,6 @@
 
 namespace fulbito {
 
-Twist bodyTwist(const RobotState& state) {
-  return {dot(state.velocity, math::unit(state.pose.heading)), state.angular_velocity};
-}
-
-RobotModel steady(RobotModel robot) {
-  robot.yaw_acceleration = robot.motorPull() / (robot.axle_track / 2);
-  return robot;
-}
-
 namespace {
 
 struct Turn {
@@ -36,6 +27,15 @@ Turn turnBy(const SpinRatio& ratio, const Twist& current, double wanted, double 
 }
 
 }  // namespace
+
+Twist bodyTwist(const RobotState& state) {
+  return {dot(state.velocity, math::unit(state.pose.heading)), state.angular_velocity};
+}
+
+RobotModel steady(RobotModel robot) {
+  robot.yaw_acceleration = robot.motorPull() / (robot.axle_track / 2);
+  return robot;
+}
 
 Twist limitTwist(const RobotModel& robot, Twist current, Twist wanted, double dt) {
   const double half_track = robot.axle_track / 2;

@@ -1,5 +1,7 @@
 #include "navigation/followers/limiter.hpp"
 
+#include <cmath>
+
 #include "engine/core/models/spin_ratio.hpp"
 #include "engine/sim/drive.hpp"
 #include "fulbito/navigation.hpp"
@@ -40,11 +42,15 @@ TEST_CASE("the limiter slows down by the braking of the motors", "[unit]") {
 TEST_CASE("a limited command slows every spin down as hard as the motors can", "[unit]") {
   for (const char* name : {"firasim", "vsss"}) {
     const RobotModel robot = steady(loadRobot(name)->robot);
-    const double dt = 1.0 / 60.0;
-    for (double spin = 1.0; spin < 30.0; spin += 1.0) {
+    const double half_track = robot.axle_track / 2, dt = 1.0 / 60.0;
+    const SpinRatio ratio(robot);
+    for (double spin = 1.0; spin < 60.0; spin += 1.0) {
       CAPTURE(name, spin);
       const double command = limitTwist(robot, {0.0, spin}, {0.0, -60.0}, dt).angular;
-      const double slowing = SpinRatio(robot).slowingCommandFor({0.0, spin});
+      const double reached = command * ratio.at(std::abs(command) * half_track);
+      CHECK(reached < spin - 0.9 * robot.turnAcceleration() * dt);
+      if (spin * half_track > robot.maxSpeed()) continue;  // the wheels' top speed limits the command
+      const double slowing = ratio.slowingCommandFor({0.0, spin});
       CHECK(command == Approx(slowing - robot.turnAcceleration() * dt));
       // Commands between the two neither slow nor speed up, and pass as they are.
       CHECK(limitTwist(robot, {0.0, spin}, {0.0, (slowing + spin) / 2}, dt).angular ==
