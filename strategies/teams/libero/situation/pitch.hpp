@@ -49,10 +49,16 @@ struct Pitch {
   double bodies;  ///< two robots that touch corner to corner: farther apart, no heading lets them touch
   double around;  ///< two robots with the ball between their sides
   /// @}
-  double stop_time;     ///< [s] to stop from top speed
-  double turn_time;     ///< [s] of a quarter turn in place, from rest to rest
-  double turn_rate;     ///< [rad/s] greatest yaw rate of such a turn
-  double creep;         ///< [m/s] speed of a ball that rolls less than its radius before it rests
+  double stop_time;  ///< [s] to stop from top speed
+  double turn_time;  ///< [s] of a quarter turn in place, from rest to rest
+  double turn_rate;  ///< [rad/s] greatest yaw rate of such a turn
+  double creep;      ///< [m/s] speed of a ball that rolls less than its radius before it rests
+  /// @{ A robot's hit on the ball: what it adds to the ball's velocity.
+  double bounce;              ///< share of the face's speed relative to the ball, along the face's normal
+  double rub;                 ///< most change along the face, as a share of that
+  double roll_keep;           ///< share of both that is left once the ball rolls
+  double slide_deceleration;  ///< [m/s^2] of the ball until it rolls
+  /// @}
   double stuck_radius;  ///< [m] of the circle in which referees count a ball as stuck
   /// Whether two robots that push can move one that resists. Where they cannot, duels stand still, robots
   /// speed up slowly, and spins are what moves a ball.

@@ -45,4 +45,21 @@ TEST_CASE("libero squeezes a ball that is pressed at the wall of its half out of
   }
 }
 
+TEST_CASE("where nobody can shove, libero holds a ball at a wall of their half for the free ball", "[unit]") {
+  const auto turn = [](const char* robot, double x, double side) {
+    const Vec2 ball{x, 0.628}, off{-0.055, -0.024};
+    WallScene scene(ball, ball + off, ball + Vec2{0.045, -0.06}, side);
+    scene.pitch = libero::Pitch(test::infoOf(3, robot));
+    scene.seen.own[0].state.pose.heading = side * math::angleOf(-off);
+    const auto move = scene.move(libero::striker::squeeze);
+    REQUIRE(move);
+    return side * move->twist.angular;
+  };
+  for (const double side : {kUp, kDown}) {
+    CHECK(std::abs(turn("firasim", 0.3, side)) < 1e-6);  // straight at the ball
+    CHECK(turn("firasim", -0.3, side) < -0.5);           // along the wall
+    CHECK(turn("vsss", 0.3, side) < -0.5);
+  }
+}
+
 }  // namespace fulbito

@@ -1,0 +1,106 @@
+#include "strategies/teams/libero/attack/volley.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fulbito/detail/math.hpp"
+#include "strategies/prediction/time_to_reach.hpp"
+
+namespace fulbito::libero {
+namespace {
+
+/// The way of a ball after a hit: it slides at first, and then rolls.
+struct Flight {
+  Vec2 from;  // [m]
+  Hit hit;
+  double slide;  // [s] until it rolls
+
+  Flight(const Pitch& pitch, Vec2 ball, const Hit& by)
+      : from(ball), hit(by), slide(distance(by.leaves, by.rolls) / pitch.slide_deceleration) {}
+
+  Vec2 at(double time) const {
+    const double sliding = std::min(time, slide);
+    const double bent = slide > 0.0 ? sliding * sliding / (2 * slide) : 0.0;
+    return from + hit.leaves * sliding + (hit.rolls - hit.leaves) * bent + hit.rolls * (time - sliding);
+  }
+
+  /// Time [s] at which it crosses the line at `x` [m]; empty if it does not.
+  std::optional<double> crosses(double x) const {
+    const double way = x - from.x;
+    const double slid = (hit.leaves.x + hit.rolls.x) / 2 * slide;
+    if (slid >= way && slide > 0.0) {
+      const double bend = (hit.rolls.x - hit.leaves.x) / slide;
+      const double root = std::sqrt(std::max(0.0, hit.leaves.x * hit.leaves.x + 2 * bend * way));
+      return 2 * way / (hit.leaves.x + root);
+    }
+    if (hit.rolls.x <= 0.0) return std::nullopt;
+    return slide + (way - slid) / hit.rolls.x;
+  }
+};
+
+/// The least gap [m] between the ball on its flight, which begins after `wait` [s] and takes `time` [s], and
+/// opponents that drive at it from the first moment. It stops looking below `enough`.
+double gapToOpponents(const Picture& picture, const Flight& flight, double wait, double time, double enough) {
+  const Pitch& pitch = picture.pitch;
+  double least = pitch.around;  // wider gaps are not better
+  for (double t = 0.0; least > enough && t < time + BallForecast::kStep; t += BallForecast::kStep) {
+    const double flown = std::min(t, time);
+    const Vec2 ball = flight.at(flown);
+    const double reach = wayFromRest(pitch.pace, std::max(0.0, flown - 2 * pitch.tick)) + pitch.front;
+    const double drift = std::min(wait + flown, pitch.turn_time);
+    for (int i = 0; i < picture.seen.team_size; ++i) {
+      if (!picture.opponentPresent(i)) continue;
+      const RobotState& other = picture.opponent(i);
+      least = std::min(least, distance(other.pose.position + other.velocity * drift, ball) - reach);
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+Hit hitOf(const Pitch& pitch, Vec2 rolling, Vec2 ahead, double speed) {
+  const Vec2 local = intoFrame(ahead, rolling);
+  const double pushed = std::max(0.0, pitch.bounce * (speed - local.x));
+  const double rubbed = std::min(std::abs(local.y), pitch.rub * pushed);
+  const Vec2 change = outOfFrame(ahead, {pushed, -std::copysign(rubbed, local.y)});
+  return {rolling + change, rolling + change * pitch.roll_keep};
+}
+
+std::optional<Volley> volleyAt(const Picture& picture, int robot, double time) {
+  const Pitch& pitch = picture.pitch;
+  const RobotState& self = picture.own(robot);
+  const Vec2 ball = picture.ball.at(time), way = ball - self.pose.position;
+  const double length = norm(way);
+  if (length < pitch.front || way.x <= 0.0) return std::nullopt;
+  const Vec2 ahead = way / length;
+  const double needed = timeToReach(pitch.pace, self, ball - ahead * pitch.front);
+  if (needed > time + BallForecast::kStep) return std::nullopt;
+  const Vec2 rolling = (picture.ball.at(time + BallForecast::kStep) - ball) / BallForecast::kStep;
+  if (dot(rolling, ahead) > 0.0) return std::nullopt;
+  const double start = std::max(0.0, dot(self.velocity, ahead));
+  const double run = length - pitch.front;
+  const double speed = std::min(pitch.speed, std::sqrt(start * start + 2 * pitch.acceleration * run));
+  const Flight flight(pitch, ball, hitOf(pitch, rolling, ahead, speed));
+  const auto flown = flight.crosses(pitch.half_length);
+  if (!flown || *flown > BallForecast::kSteps * BallForecast::kStep) return std::nullopt;
+  const Vec2 target = flight.at(*flown);
+  const double beside = pitch.goal_half - pitch.ball_radius - std::abs(target.y);
+  if (beside <= 0.0) return std::nullopt;
+  const double room = std::min(beside, gapToOpponents(picture, flight, time, *flown, -pitch.ball_radius));
+  return Volley{time, ball, math::angleOf(way), time - needed, room, target};
+}
+
+std::optional<Volley> bestVolley(const Picture& picture, int robot) {
+  std::optional<Volley> best;
+  double most = 0.0;
+  for (int i = 0; i < BallForecast::kSteps; ++i) {
+    const auto volley = volleyAt(picture, robot, i * BallForecast::kStep);
+    if (!volley) continue;
+    const double room = volley->room - wayFromRest(picture.pitch.pace, std::max(0.0, volley->spare));
+    if (room > most) most = room, best = volley;
+  }
+  return best;
+}
+
+}  // namespace fulbito::libero

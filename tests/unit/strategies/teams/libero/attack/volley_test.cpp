@@ -1,0 +1,90 @@
+#include "strategies/teams/libero/attack/volley.hpp"
+
+#include <cmath>
+
+#include "fulbito/detail/math.hpp"
+#include "strategies/prediction/foresight.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/unit/strategies/teams/libero/scenes.hpp"
+
+namespace fulbito {
+namespace {
+
+/// A ball that rolls across in front of a robot at rest.
+struct Crossing {
+  explicit Crossing(double side, Vec2 velocity = {0.05, -0.5}) : info(test::infoOf(3, "firasim")) {
+    seen.team_size = 3;
+    seen.own[1] = test::standingAt({{0.05, -0.35 * side}, 0.0});
+    seen.ball.position = {0.42, 0.3 * side};
+    seen.ball.velocity = seen.ball.spin = {velocity.x, velocity.y * side};
+    BallPrediction way;
+    way.predict(BallCourse(info.field, info.ball, info.physics), seen.ball);
+    ball.take(seen.ball, way);
+  }
+
+  libero::Picture picture() const { return {seen, pitch, ball}; }
+
+  MatchInfo info;
+  libero::Pitch pitch{info};
+  Observation seen;
+  libero::BallForecast ball;
+};
+
+}  // namespace
+
+TEST_CASE("a hit adds bounce along the face and friction across it, and spin keeps a share", "[unit]") {
+  const libero::Pitch pitch(test::infoOf(3, "firasim"));
+  // A ball that rests, hit straight on: a heavy robot gives it its own speed and the restitution.
+  const libero::Hit straight = libero::hitOf(pitch, {}, {1.0, 0.0}, 0.8);
+  CHECK(std::abs(straight.leaves.x - (0.8 * 1.07 * 2.40 / 2.443)) < 1e-9);
+  CHECK(std::abs(straight.rolls.x - (0.70 * straight.leaves.x)) < 1e-9);
+  CHECK(straight.leaves.y == 0.0);
+  // A ball that rolls across keeps its way, less the friction, which never reverses it.
+  const libero::Hit across = libero::hitOf(pitch, {0.0, -0.5}, {1.0, 0.0}, 0.8);
+  CHECK(std::abs(across.leaves.x - (straight.leaves.x)) < 1e-9);
+  CHECK(across.leaves.y > -0.5);
+  CHECK(across.leaves.y < -0.3);
+  CHECK(across.rolls.y < across.leaves.y);
+  CHECK(libero::hitOf(pitch, {0.0, -0.01}, {1.0, 0.0}, 0.8).leaves.y == 0.0);
+  // A ball that runs ahead faster is not touched.
+  CHECK(libero::hitOf(pitch, {0.9, 0.0}, {1.0, 0.0}, 0.8).leaves.x == 0.9);
+}
+
+TEST_CASE("libero finds a run that sends a crossing ball in, on either side", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    const Crossing scene(side);
+    const auto run = libero::bestVolley(scene.picture(), 1);
+    REQUIRE(run);
+    CHECK(run->room > 0.0);
+    CHECK(std::abs(run->target.y) < scene.pitch.goal_half - scene.pitch.ball_radius);
+    CHECK(std::abs(run->target.x - (scene.pitch.half_length)) < 1e-6);
+    const Vec2 way = run->ball - scene.seen.own[1].state.pose.position;
+    CHECK(std::abs(run->heading - (math::angleOf(way))) < 1e-12);
+    CHECK(run->spare > -libero::BallForecast::kStep);
+    CHECK(std::abs(run->target.y - (side * libero::bestVolley(Crossing(1.0).picture(), 1)->target.y)) < 1e-9);
+  }
+}
+
+TEST_CASE("libero shoots past an opponent in the way of its volley, or not at all", "[unit]") {
+  Crossing scene(1.0);
+  const auto free = libero::bestVolley(scene.picture(), 1);
+  REQUIRE(free);
+  // A keeper where the ball would arrive.
+  scene.seen.opponents[0] = test::standingAt({{0.71, free->target.y}, math::kPi / 2});
+  const auto kept = libero::bestVolley(scene.picture(), 1);
+  CHECK((!kept || kept->room < free->room));
+  if (kept) CHECK(std::abs(kept->target.y - free->target.y) > scene.pitch.front);
+  // Opponents all along the goal leave no room.
+  for (const int i : {0, 1, 2})
+    scene.seen.opponents[static_cast<std::size_t>(i)] = test::standingAt({{0.71, 0.12 * (i - 1)}, 0.0});
+  CHECK_FALSE(libero::bestVolley(scene.picture(), 1));
+}
+
+TEST_CASE("libero plays no volley at a ball that runs away or that it cannot reach in time", "[unit]") {
+  CHECK_FALSE(libero::bestVolley(Crossing(1.0, {0.4, 0.1}).picture(), 1));
+  Crossing late(1.0, {0.05, -0.5});
+  late.seen.own[1] = test::standingAt({{-0.6, 0.5}, 0.0});
+  CHECK_FALSE(libero::volleyAt(late.picture(), 1, 0.3));
+}
+
+}  // namespace fulbito
