@@ -57,29 +57,23 @@ double gapToOpponents(const Picture& picture, const Flight& flight, double wait,
   return least;
 }
 
-}  // namespace
-
-Hit hitOf(const Pitch& pitch, Vec2 rolling, Vec2 ahead, double speed) {
-  const Vec2 local = intoFrame(ahead, rolling);
-  const double pushed = std::max(0.0, pitch.bounce * (speed - local.x));
-  const double rubbed = std::min(std::abs(local.y), pitch.rub * pushed);
-  const Vec2 change = outOfFrame(ahead, {pushed, -std::copysign(rubbed, local.y)});
-  return {rolling + change, rolling + change * pitch.roll_keep};
+Runner runnerOf(const RobotState& robot) {
+  return {robot.pose.position, math::unit(robot.pose.heading), robot.velocity};
 }
 
-std::optional<Volley> volleyAt(const Picture& picture, int robot, double time) {
+/// The run of `self` that meets the ball at `time` [s] from now.
+std::optional<Volley> runAt(const Picture& picture, const Runner& self, double time) {
   const Pitch& pitch = picture.pitch;
-  const RobotState& self = picture.own(robot);
-  const Vec2 ball = picture.ball.at(time), way = ball - self.pose.position;
-  const double length = norm(way);
-  if (length < pitch.front || way.x <= 0.0) return std::nullopt;
+  const Vec2 ball = picture.ball.at(time), way = ball - self.position;
+  if (way.x <= 0.0) return std::nullopt;
+  const double length = norm(way), run = length - pitch.front;
+  if (run < 0.0) return std::nullopt;
   const Vec2 ahead = way / length;
-  const double needed = timeToReach(pitch.pace, self, ball - ahead * pitch.front);
-  if (needed > time + BallForecast::kStep) return std::nullopt;
   const Vec2 rolling = (picture.ball.at(time + BallForecast::kStep) - ball) / BallForecast::kStep;
   if (dot(rolling, ahead) > 0.0) return std::nullopt;
+  const double needed = timeToReach(pitch.pace, self, ball - ahead * pitch.front);
+  if (needed > time + BallForecast::kStep) return std::nullopt;
   const double start = std::max(0.0, dot(self.velocity, ahead));
-  const double run = length - pitch.front;
   const double speed = std::min(pitch.speed, std::sqrt(start * start + 2 * pitch.acceleration * run));
   const Flight flight(pitch, ball, hitOf(pitch, rolling, ahead, speed));
   const auto flown = flight.crosses(pitch.half_length);
@@ -91,11 +85,26 @@ std::optional<Volley> volleyAt(const Picture& picture, int robot, double time) {
   return Volley{time, ball, math::angleOf(way), time - needed, room, target};
 }
 
+}  // namespace
+
+Hit hitOf(const Pitch& pitch, Vec2 rolling, Vec2 ahead, double speed) {
+  const Vec2 local = intoFrame(ahead, rolling);
+  const double pushed = std::max(0.0, pitch.bounce * (speed - local.x));
+  const double rubbed = std::min(std::abs(local.y), pitch.rub * pushed);
+  const Vec2 change = outOfFrame(ahead, {pushed, -std::copysign(rubbed, local.y)});
+  return {rolling + change, rolling + change * pitch.roll_keep};
+}
+
+std::optional<Volley> volleyAt(const Picture& picture, int robot, double time) {
+  return runAt(picture, runnerOf(picture.own(robot)), time);
+}
+
 std::optional<Volley> bestVolley(const Picture& picture, int robot) {
+  const Runner self = runnerOf(picture.own(robot));
   std::optional<Volley> best;
   double most = 0.0;
   for (int i = 0; i < BallForecast::kSteps; ++i) {
-    const auto volley = volleyAt(picture, robot, i * BallForecast::kStep);
+    const auto volley = runAt(picture, self, i * BallForecast::kStep);
     if (!volley) continue;
     const double room = volley->room - wayFromRest(picture.pitch.pace, std::max(0.0, volley->spare));
     if (room > most) most = room, best = volley;
