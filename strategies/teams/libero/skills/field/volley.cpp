@@ -9,6 +9,12 @@
 namespace fulbito::libero::field {
 namespace {
 
+/// Whether a penalty has just begun. Its taker has to be at the ball before a keeper that runs out.
+bool isPenalty(const Picture& picture) {
+  return picture.seen.restart == RestartKind::kPenalty &&
+         picture.seen.since_restart < picture.tuning.patience;
+}
+
 /// Whether an opponent keeps their goal. An empty goal needs no run-up, but the first touch.
 bool isKept(const Picture& picture) {
   for (int i = 0; i < picture.seen.team_size; ++i) {
@@ -37,7 +43,7 @@ std::optional<Move> volley(const Picture& picture, int robot, Memory& memory) {
   if (picture.pitch.shoves || memory.spin.left > 0.0 ||
       squaredNorm(picture.ball.now().velocity) < rolls * rolls)
     return std::nullopt;
-  if (!isKept(picture)) return std::nullopt;
+  if (isPenalty(picture) || !isKept(picture)) return std::nullopt;
   const auto run = chosen(picture, robot, left);
   if (!run) return std::nullopt;
   memory.volley = run->time;

@@ -1,4 +1,6 @@
 #include "fulbito/detail/math.hpp"
+#include "strategies/prediction/foresight.hpp"
+#include "strategies/teams/libero/playbook/skills.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
@@ -26,7 +28,35 @@ int goals(const char* team, const char* robot) {
   return scored;
 }
 
+/// Whether robot 1 plays a volley at a ball that rolls across, `since` [s] after a restart, with an opponent
+/// at `keeper` [m].
+bool answers(RestartKind restart, double since, Vec2 keeper) {
+  const MatchInfo info = test::infoOf(3, "firasim");
+  const libero::Pitch pitch(info);
+  Observation seen;
+  seen.team_size = 3;
+  seen.restart = restart;
+  seen.since_restart = since;
+  seen.own[1] = test::standingAt({{0.05, -0.35}, 0.0});
+  seen.opponents[0] = test::standingAt({keeper, math::kPi / 2});
+  seen.ball = {{0.42, 0.3}, {0.05, -0.5}, {0.05, -0.5}};
+  BallPrediction way;
+  way.predict(BallCourse(info.field, info.ball, info.physics), seen.ball);
+  libero::BallForecast ball;
+  ball.take(seen.ball, way);
+  libero::Memory memory;
+  return libero::field::volley({seen, pitch, ball}, 1, memory).has_value();
+}
+
 }  // namespace
+
+TEST_CASE("libero plays volleys at a kept goal, and not at the start of a penalty", "[unit]") {
+  const Vec2 kept{0.7, 0.15}, out{0.2, 0.5};
+  CHECK(answers(RestartKind::kFreeBall, 0.8, kept));
+  CHECK_FALSE(answers(RestartKind::kFreeBall, 0.8, out));
+  CHECK_FALSE(answers(RestartKind::kPenalty, 0.8, kept));
+  CHECK(answers(RestartKind::kPenalty, 3.0, kept));
+}
 
 TEST_CASE("a robot that speeds up slowly shoots a crossing ball on the run", "[unit]") {
   const int with = goals("libero", "firasim"), without = goals("libero:without=volley", "firasim");
