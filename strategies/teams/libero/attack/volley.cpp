@@ -9,7 +9,9 @@
 namespace fulbito::libero {
 namespace {
 
-/// The way of a ball after a hit: it slides at first, and then rolls.
+/// The way of a ball after a hit: it slides at first, and then rolls. The first stretches of a
+/// `BallPrediction` without the slow braking of a rolling ball. Many runs a tick need one, and a whole
+/// prediction takes longer.
 struct Flight {
   Vec2 from;  // [m]
   Hit hit;
@@ -39,11 +41,12 @@ struct Flight {
 };
 
 /// The least gap [m] between the ball on its flight, which begins after `wait` [s] and takes `time` [s], and
-/// opponents that drive at it from the first moment. It stops looking below `enough`.
-double gapToOpponents(const Picture& picture, const Flight& flight, double wait, double time, double enough) {
+/// opponents that drive at it from the first moment.
+double gapToOpponents(const Picture& picture, const Flight& flight, double wait, double time) {
   const Pitch& pitch = picture.pitch;
   double least = pitch.around;  // wider gaps are not better
-  for (double t = 0.0; least > enough && t < time + BallForecast::kStep; t += BallForecast::kStep) {
+  for (double t = 0.0; least > -pitch.ball_radius && t < time + BallForecast::kStep;
+       t += BallForecast::kStep) {
     const double flown = std::min(t, time);
     const Vec2 ball = flight.at(flown);
     const double reach = wayFromRest(pitch.pace, std::max(0.0, flown - 2 * pitch.tick)) + pitch.front;
@@ -81,7 +84,7 @@ std::optional<Volley> runAt(const Picture& picture, const Runner& self, double t
   const Vec2 target = flight.at(*flown);
   const double beside = pitch.goal_half - pitch.ball_radius - std::abs(target.y);
   if (beside <= 0.0) return std::nullopt;
-  const double room = std::min(beside, gapToOpponents(picture, flight, time, *flown, -pitch.ball_radius));
+  const double room = std::min(beside, gapToOpponents(picture, flight, time, *flown));
   return Volley{time, ball, math::angleOf(way), time - needed, room, target};
 }
 

@@ -36,12 +36,12 @@ TEST_CASE("a hit adds bounce along the face and friction across it, and spin kee
   const libero::Pitch pitch(test::infoOf(3, "firasim"));
   // A ball that rests, hit straight on: a heavy robot gives it its own speed and the restitution.
   const libero::Hit straight = libero::hitOf(pitch, {}, {1.0, 0.0}, 0.8);
-  CHECK(std::abs(straight.leaves.x - (0.8 * 1.07 * 2.40 / 2.443)) < 1e-9);
-  CHECK(std::abs(straight.rolls.x - (0.70 * straight.leaves.x)) < 1e-9);
+  CHECK(std::abs(straight.leaves.x - 0.8 * 1.07 * 2.40 / 2.443) < 1e-9);
+  CHECK(std::abs(straight.rolls.x - 0.70 * straight.leaves.x) < 1e-9);
   CHECK(straight.leaves.y == 0.0);
   // A ball that rolls across keeps its way, less the friction, which never reverses it.
   const libero::Hit across = libero::hitOf(pitch, {0.0, -0.5}, {1.0, 0.0}, 0.8);
-  CHECK(std::abs(across.leaves.x - (straight.leaves.x)) < 1e-9);
+  CHECK(std::abs(across.leaves.x - straight.leaves.x) < 1e-9);
   CHECK(across.leaves.y > -0.5);
   CHECK(across.leaves.y < -0.3);
   CHECK(across.rolls.y < across.leaves.y);
@@ -57,12 +57,28 @@ TEST_CASE("libero finds a run that sends a crossing ball in, on either side", "[
     REQUIRE(run);
     CHECK(run->room > 0.0);
     CHECK(std::abs(run->target.y) < scene.pitch.goal_half - scene.pitch.ball_radius);
-    CHECK(std::abs(run->target.x - (scene.pitch.half_length)) < 1e-6);
+    CHECK(std::abs(run->target.x - scene.pitch.half_length) < 1e-6);
     const Vec2 way = run->ball - scene.seen.own[1].state.pose.position;
-    CHECK(std::abs(run->heading - (math::angleOf(way))) < 1e-12);
+    CHECK(std::abs(run->heading - math::angleOf(way)) < 1e-12);
     CHECK(run->spare > -libero::BallForecast::kStep);
     CHECK(std::abs(run->target.y - (side * libero::bestVolley(Crossing(1.0).picture(), 1)->target.y)) < 1e-9);
   }
+}
+
+TEST_CASE("a volley's ball goes where the prediction of the struck ball does", "[unit]") {
+  const Crossing scene(1.0);
+  const auto run = libero::bestVolley(scene.picture(), 1);
+  REQUIRE(run);
+  const Vec2 way = run->ball - scene.seen.own[1].state.pose.position;
+  const Vec2 rolling = (scene.ball.at(run->time + 0.05) - run->ball) / 0.05;
+  const double speed = std::sqrt(2 * scene.pitch.acceleration * (norm(way) - scene.pitch.front));
+  const libero::Hit hit = libero::hitOf(scene.pitch, rolling, way / norm(way), speed);
+  BallPrediction struck;
+  struck.predict(BallCourse(scene.info.field, scene.info.ball, scene.info.physics),
+                 {run->ball, hit.leaves, rolling});
+  const auto goal = struck.crossing({scene.pitch.half_length, 0.0}, {1.0, 0.0});
+  REQUIRE(goal);
+  CHECK(std::abs(goal->place.y - run->target.y) < 0.005);
 }
 
 TEST_CASE("libero shoots past an opponent in the way of its volley, or not at all", "[unit]") {
