@@ -50,13 +50,14 @@ Vec2 apart(const Picture& picture, Vec2 place) {
              : place;
 }
 
-Twist twistTo(const Picture& picture, int robot, Vec2 place) {
+Twist twistTo(const Picture& picture, int robot, Vec2 place, std::optional<double> heading) {
   const RobotState& self = picture.own(robot);
   const double d = distance(self.pose.position, place);
-  const Vec2 ball = picture.ball.now().position;
   const Pitch& pitch = picture.pitch;
-  if (d < pitch.robot_half)
-    return restAt(pitch, self, place, math::angleOf(ball - self.pose.position), pitch.robot_half);
+  if (d < pitch.robot_half) {
+    return restAt(pitch, self, place, heading.value_or(math::angleOf(picture.ballFrom(robot))),
+                  pitch.robot_half);
+  }
   const double speed = std::min(pitch.speed, stoppingSpeed(pitch.plannedBraking(), d));
   return alongHeading(pitch, self, headingRound(picture, robot, place), speed);
 }
@@ -78,12 +79,15 @@ Vec2 coverPlace(const Picture& picture) {
   return outsideArea(pitch.field, front, true, pitch.touch);
 }
 
-Move travel(const Picture& picture, int robot, Vec2 place, const char* reason) {
-  return {.twist = twistTo(picture, robot, place), .reason = reason, .place = place, .travels = true};
+Move travel(const Picture& picture, int robot, Vec2 place, const char* reason,
+            std::optional<double> heading) {
+  return {
+      .twist = twistTo(picture, robot, place, heading), .reason = reason, .place = place, .travels = true};
 }
 
-Move standBy(const Picture& picture, int robot, Vec2 place, const char* reason) {
-  return travel(picture, robot, apart(picture, place), reason);
+Move standBy(const Picture& picture, int robot, Vec2 place, const char* reason,
+             std::optional<double> heading) {
+  return travel(picture, robot, apart(picture, place), reason, heading);
 }
 
 }  // namespace fulbito::libero

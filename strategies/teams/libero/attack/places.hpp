@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "strategies/teams/libero/motion/motion.hpp"
 #include "strategies/teams/libero/situation/move.hpp"
 #include "strategies/teams/libero/situation/picture.hpp"
@@ -17,10 +19,12 @@ double farSide(Vec2 ball, Vec2 robot);
 /// side of the ball, within a keeper's leash of the goal's centre.
 Vec2 coverPlace(const Picture& picture);
 
-/// Goes to `place` [m], round mates and opponents.
-Move travel(const Picture& picture, int robot, Vec2 place, const char* reason);
+/// Goes to `place` [m], round mates and opponents, and there turns to `heading` [rad], else to the ball.
+Move travel(const Picture& picture, int robot, Vec2 place, const char* reason,
+            std::optional<double> heading = {});
 
 /// As `travel`, to the point next to `place` [m] that is not near the striker's ball and in no area.
-Move standBy(const Picture& picture, int robot, Vec2 place, const char* reason);
+Move standBy(const Picture& picture, int robot, Vec2 place, const char* reason,
+             std::optional<double> heading = {});
 
 }  // namespace fulbito::libero

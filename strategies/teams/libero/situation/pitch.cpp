@@ -41,6 +41,7 @@ Pitch::Pitch(const MatchInfo& info, const Tuning& tuned)
       roll_keep(info.ball.roll_keep),
       slide_deceleration(info.ball.slide_deceleration),
       stuck_radius(info.rules.stuck.radius),
+      stuck_time(info.rules.stuck.seconds),
       shoves(2 * pace.acceleration > pace.braking),
       motors(info.robot, tick),
       team_size(info.rules.team_size) {}

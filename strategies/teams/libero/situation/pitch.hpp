@@ -60,6 +60,7 @@ struct Pitch {
   double slide_deceleration;  ///< [m/s^2] of the ball until it rolls
   /// @}
   double stuck_radius;  ///< [m] of the circle in which referees count a ball as stuck
+  double stuck_time;    ///< [s] after which they give a free ball for it
   /// Whether two robots that push can move one that resists. Where they cannot, duels stand still, robots
   /// speed up slowly, and spins are what moves a ball.
   bool shoves;

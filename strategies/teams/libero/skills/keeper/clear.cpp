@@ -28,15 +28,17 @@ bool comesFirst(const Picture& picture, const RobotState& self) {
   return true;
 }
 
-/// Whether the keeper leaves its goal along the end wall to reach a ball there. Far from the post the wall is
-/// behind the keeper, and no ball passes it. At the post an opponent would arrive at full speed, push beside
-/// the keeper's centre and turn it, and the ball would go in.
+/// Whether the keeper leaves its goal along the end wall to reach a ball there, as far as the area's depth
+/// beside the area. Far from the post the wall is behind the keeper, and no ball passes it. At the post an
+/// opponent would arrive at full speed, push beside the keeper's centre and turn it, and the ball would go
+/// in.
 bool meetsAlongWall(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
   const BallState& ball = picture.ball.now();
   const double out = ball.position.y >= 0.0 ? 1.0 : -1.0;
   const double y = ball.position.y * out;
-  const bool beside = y > pitch.goal_half - pitch.ball_radius && y < pitch.area_half + pitch.goal_half;
+  const bool beside =
+      y > pitch.goal_half - pitch.ball_radius && y < pitch.area_half + pitch.field.goal_area_depth;
   if (ball.position.x > -pitch.half_length + pitch.front || !beside) return false;
   // A fast ball arrives before the keeper.
   if (ball.velocity.y * out < -picture.tuning.pushable) return false;

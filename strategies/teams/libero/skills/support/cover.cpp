@@ -9,7 +9,9 @@ namespace fulbito::libero::support {
 std::optional<Move> cover(const Picture& picture, int robot, Memory& /*memory*/) {
   const Pitch& pitch = picture.pitch;
   if (picture.keeper < 0 || picture.rank[static_cast<std::size_t>(robot)] > 0) return std::nullopt;
-  if (std::abs(picture.own(picture.keeper).pose.position.y) < pitch.goal_half) return std::nullopt;
+  // Its side is at the post, so it is on its way out, and the way to the goal's front takes a while.
+  if (std::abs(picture.own(picture.keeper).pose.position.y) < pitch.goal_half - pitch.robot_half)
+    return std::nullopt;
   if (ballAhead(picture).x > -pitch.half_length + pitch.field.goal_area_depth) return std::nullopt;
   return travel(picture, robot, coverPlace(picture), "the keeper is out of its goal");
 }

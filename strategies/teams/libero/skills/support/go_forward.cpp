@@ -1,30 +1,43 @@
 #include <algorithm>
 
+#include "fulbito/detail/math.hpp"
 #include "strategies/teams/libero/attack/places.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
 
 namespace fulbito::libero::support {
 namespace {
 
-/// Whether the ball is far enough forward. One that is stuck in their half, where robots cannot shove each
-/// other, is about to become a free ball, and all robots but the takers stay where they are.
+/// Whether the ball is stuck in their half where robots cannot shove each other. It is about to become a free
+/// ball, at which all robots but the takers stay where they are.
+bool isFreeBallNear(const Picture& picture, Vec2 ball) {
+  return !picture.pitch.shoves && picture.stuck > picture.tuning.patience && ball.x > 0.0;
+}
+
 bool isForward(const Picture& picture, Vec2 ball) {
-  if (!picture.pitch.shoves && picture.stuck > picture.tuning.patience && ball.x > 0.0) return true;
   return ball.x > picture.pitch.half_length / 2 * (1.0 - 2.0 * picture.tuning.aggression);
+}
+
+/// The place from which a robot shoots a ball that a spin throws across the field: it comes from behind and
+/// meets the ball on the run. It looks at their goal, which is about where it runs.
+Move awaitThrow(const Picture& picture, int robot, Vec2 from) {
+  const Pitch& pitch = picture.pitch;
+  const double way = picture.tuning.behind;
+  const Vec2 place{std::min(from.x - way, pitch.half_length - pitch.area_front - pitch.around),
+                   farSide(from, picture.own(robot).pose.position) * way};
+  return standBy(picture, robot, place, "the ball is far forward", math::angleOf(pitch.theirGoal() - place));
 }
 
 }  // namespace
 
 std::optional<Move> goForward(const Picture& picture, int robot, Memory& /*memory*/) {
   const Pitch& pitch = picture.pitch;
-  const Vec2 ball = ballAhead(picture);
-  if (picture.rank[static_cast<std::size_t>(robot)] > 0 || !isForward(picture, ball)) return std::nullopt;
-  const double far_side = farSide(ball, picture.own(robot).pose.position);
-  // Where spins throw the ball across the field, the robot comes from behind and meets it on the run.
-  const double back = pitch.shoves ? 2 * pitch.bodies : picture.tuning.behind;
-  const double wide = pitch.shoves ? pitch.goal_half : picture.tuning.behind;
-  const Vec2 place{std::min(ball.x - back, pitch.half_length - pitch.area_front - pitch.around),
-                   far_side * wide};
+  if (picture.rank[static_cast<std::size_t>(robot)] > 0) return std::nullopt;
+  const Vec2 ball = ballAhead(picture), mark = pitch.field.free_ball_mark;
+  const bool free_ball = isFreeBallNear(picture, ball);
+  if (!free_ball && !isForward(picture, ball)) return std::nullopt;
+  if (!pitch.shoves) return awaitThrow(picture, robot, {free_ball && mark.x > 0.0 ? mark.x : ball.x, ball.y});
+  const Vec2 place{std::min(ball.x - 2 * pitch.bodies, pitch.half_length - pitch.area_front - pitch.around),
+                   farSide(ball, picture.own(robot).pose.position) * pitch.goal_half};
   return standBy(picture, robot, place, "the ball is far forward");
 }
 

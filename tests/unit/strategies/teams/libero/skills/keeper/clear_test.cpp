@@ -1,4 +1,5 @@
 #include "fulbito/detail/math.hpp"
+#include "strategies/teams/libero/playbook/skills.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 #include "tests/unit/strategies/teams/libero/skills/keeper/keeper_at.hpp"
@@ -44,6 +45,26 @@ TEST_CASE("libero's keeper goes out to a ball that creeps along its end wall", "
       // The keeper has met the ball outside its post, and the opponent has not passed.
       CHECK(side * match.world().robots[0].pose.position.y < -0.30);
       CHECK(side * match.world().balls[0].position.y < -0.35);
+    }
+  }
+}
+
+TEST_CASE("libero's keeper leaves balls in the corner to the others", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    for (const char* robot : {"vsss", "firasim"}) {
+      const libero::Pitch pitch(test::infoOf(3, robot));
+      const auto clears = [&](double y) {
+        Observation seen;
+        seen.team_size = 3;
+        seen.own[0] = test::standingAt({{-0.708, 0.3 * side}, math::kPi / 2});
+        seen.ball.position = {-0.728, y * side};
+        libero::BallForecast forecast;
+        forecast.take(seen.ball, {});
+        libero::Memory memory;
+        return libero::keeper::clear({seen, pitch, forecast}, 0, memory).has_value();
+      };
+      CHECK(clears(0.45));
+      CHECK_FALSE(clears(0.52));
     }
   }
 }

@@ -30,12 +30,13 @@ struct WallScene {
   /// What a skill does here.
   std::optional<libero::Move> move(libero::SkillFunction& skill) const {
     libero::Memory memory;
-    return skill({seen, pitch, forecast}, 0, memory);
+    return skill({seen, pitch, forecast, stuck}, 0, memory);
   }
 
   libero::Pitch pitch{matchInfo()};
   Observation seen;
   libero::BallForecast forecast;
+  double stuck = 0.0;  // [s] for which the ball has been stuck
 };
 
 inline constexpr Vec2 kAtCut{-0.725, 0.56};      // at the end wall, where the corner triangle begins

@@ -1,3 +1,4 @@
+#include "fulbito/detail/math.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
@@ -5,18 +6,23 @@
 namespace fulbito {
 namespace {
 
-/// The place to which the support goes forward, with the ball at rest at `ball` for `stuck` [s].
-std::optional<Vec2> forward(const char* robot, Vec2 ball, double stuck) {
+/// What the support does at `pose`, with the ball at rest at `ball` for `stuck` [s].
+std::optional<libero::Move> moveAt(const char* robot, const Pose2& pose, Vec2 ball, double stuck) {
   const libero::Pitch pitch(test::infoOf(3, robot));
   Observation seen;
   seen.team_size = 3;
-  seen.own[2] = test::standingAt({{-0.3, 0.0}, 0.0});
+  seen.own[2] = test::standingAt(pose);
   seen.ball.position = ball;
   libero::BallForecast forecast;
   forecast.take(seen.ball, {});
   libero::Picture picture{seen, pitch, forecast, stuck};
   libero::Memory memory;
-  const auto move = libero::support::goForward(picture, 2, memory);
+  return libero::support::goForward(picture, 2, memory);
+}
+
+/// The place to which it goes forward.
+std::optional<Vec2> forward(const char* robot, Vec2 ball, double stuck) {
+  const auto move = moveAt(robot, {{-0.3, 0.0}, 0.0}, ball, stuck);
   return move ? move->place : std::nullopt;
 }
 
@@ -44,6 +50,22 @@ TEST_CASE("libero's support goes forward when a ball that is stuck becomes a fre
   CHECK(forward("firasim", ball, 3.0));
   CHECK_FALSE(forward("firasim", {-0.12, 0.62}, 3.0));
   CHECK_FALSE(forward("vsss", ball, 3.0));
+}
+
+TEST_CASE("libero's support waits for the throw of the free ball, not of the ball that is stuck", "[unit]") {
+  const Vec2 mark = test::infoOf(3, "firasim").field.free_ball_mark;
+  for (const double side : {1.0, -1.0}) {
+    const auto at_mark = forward("firasim", {mark.x, side * mark.y}, 3.0);
+    REQUIRE(at_mark);
+    CHECK(distance(*at_mark, *forward("firasim", {0.7, side * 0.62}, 3.0)) < 1e-9);
+    CHECK(distance(*at_mark, *forward("firasim", {0.7, side * 0.62}, 0.0)) > 0.1);
+    // There it looks at their goal, about where it will run, and not at the ball.
+    const double goal = math::angleOf(Vec2{0.75, 0.0} - *at_mark);
+    for (const double off : {0.3, -0.3}) {
+      const auto move = moveAt("firasim", {*at_mark, goal + off}, {mark.x, side * mark.y}, 3.0);
+      CHECK(move->twist.angular * off < 0.0);
+    }
+  }
 }
 
 }  // namespace fulbito
