@@ -24,7 +24,8 @@ Move awaitThrow(const Picture& picture, int robot, Vec2 from) {
   const double way = picture.tuning.behind;
   const Vec2 place{std::min(from.x - way, pitch.half_length - pitch.area_front - pitch.around),
                    farSide(from, picture.own(robot).pose.position) * way};
-  return standBy(picture, robot, place, "the ball is far forward", math::angleOf(pitch.theirGoal() - place));
+  return standBy(picture, robot, place, "the ball may be thrown across",
+                 math::angleOf(pitch.theirGoal() - place));
 }
 
 }  // namespace

@@ -79,12 +79,9 @@ TEST_CASE("where nobody can shove, libero holds a ball against an opponent that 
   scene.robots[0][1] = Pose2{{0.245, 0.604}, 0.41};
   scene.robots[1][1] = Pose2{{0.355, 0.604}, 2.73};
   for (const double side : {kUp, kDown}) {
-    const Match match = [&] {
-      Match played = test::matchFrom(config, test::mirrored(scene, side));
-      while (played.seconds() < config.rules.stuck.seconds - 1.0 && played.step()) {
-      }
-      return played;
-    }();
+    Match match = test::matchFrom(config, test::mirrored(scene, side));
+    while (match.seconds() < config.rules.stuck.seconds - 1.0 && match.step()) {
+    }
     CHECK(distance(match.world().balls[0].position, test::onSide(scene.ball, side)) <
           config.rules.stuck.radius);
   }
