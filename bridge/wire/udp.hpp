@@ -38,7 +38,9 @@ class UdpSender {
 struct Datagram {
   std::size_t size = 0;      ///< [bytes] of it, also if the room was too small
   std::uint64_t sender = 0;  ///< address and port
-  std::int64_t arrived = 0;  ///< [ns] by a clock of the system, to tell what of several sockets came first
+  /// [ns] By a clock of the system, to tell what of several sockets came first. In the first moment after
+  /// the first socket of the machine asks for it, Linux gives the time of the look instead.
+  std::int64_t arrived = 0;
 };
 
 /// Receives datagrams at one port. Never waits.

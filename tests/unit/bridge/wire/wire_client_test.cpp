@@ -5,6 +5,22 @@
 #include "tests/unit/bridge/wire/test_client.hpp"
 
 namespace fulbito::wire {
+namespace {
+
+/// Waits until the system stamps datagrams as they arrive: for the first sockets that ask for it, it
+/// begins a moment later, and stamps at the look until then. @return whether it does
+bool awaitStamps(WireListener& listener, UdpSender& referee, UdpSender& vision) {
+  constexpr int kTries = 1000;
+  for (int i = 0; i < kTries; ++i) {
+    if (!referee.send(datagramOf(RefereeCommand{})) || !vision.send(datagramOf(Vision{}))) return false;
+    const Heard heard = listener.listen(1.0);
+    if (heard.frames.size() == 1 && heard.frames[0].commands == 1) return true;
+    waitForAny({}, 0.005);
+  }
+  return false;
+}
+
+}  // namespace
 
 TEST_CASE("a listener that looks late still tells which commands came before which frame", "[unit]") {
   const int port = test::freePortBase();
@@ -14,6 +30,7 @@ TEST_CASE("a listener that looks late still tells which commands came before whi
   REQUIRE(listener);
   REQUIRE(vision);
   REQUIRE(referee);
+  REQUIRE(awaitStamps(*listener, *referee, *vision));
   RefereeCommand command;
   Vision frame;
   for (const Foul foul : {Foul::kKickOff, Foul::kStop, Foul::kGameOn}) {
