@@ -45,8 +45,7 @@ struct Flight {
 double gapToOpponents(const Picture& picture, const Flight& flight, double wait, double time) {
   const Pitch& pitch = picture.pitch;
   double least = pitch.around;  // wider gaps are not better
-  for (double t = 0.0; least > -pitch.ball_radius && t < time + BallForecast::kStep;
-       t += BallForecast::kStep) {
+  for (double t = 0.0; least > leastRoom(pitch) && t < time + BallForecast::kStep; t += BallForecast::kStep) {
     const double flown = std::min(t, time);
     const Vec2 ball = flight.at(flown);
     const double reach = wayFromRest(pitch.pace, std::max(0.0, flown - 2 * pitch.tick)) + pitch.front;
@@ -98,6 +97,8 @@ Hit hitOf(const Pitch& pitch, Vec2 rolling, Vec2 ahead, double speed) {
   return {rolling + change, rolling + change * pitch.roll_keep};
 }
 
+double leastRoom(const Pitch& pitch) { return -pitch.front; }
+
 std::optional<Volley> volleyAt(const Picture& picture, int robot, double time) {
   return runAt(picture, runnerOf(picture.own(robot)), time);
 }
@@ -105,7 +106,7 @@ std::optional<Volley> volleyAt(const Picture& picture, int robot, double time) {
 std::optional<Volley> bestVolley(const Picture& picture, int robot) {
   const Runner self = runnerOf(picture.own(robot));
   std::optional<Volley> best;
-  double most = 0.0;
+  double most = leastRoom(picture.pitch);
   for (int i = 0; i < BallForecast::kSteps; ++i) {
     const auto volley = runAt(picture, self, i * BallForecast::kStep);
     if (!volley) continue;

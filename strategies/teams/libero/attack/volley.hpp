@@ -26,12 +26,17 @@ struct Hit {
 /// `rolling` [m/s]. The models of robot and ball give bounce, friction and spin.
 Hit hitOf(const Pitch& pitch, Vec2 rolling, Vec2 ahead, double speed);
 
+/// The least gap [m] of a run that is worth it. An opponent that just reaches the ball's way with its face
+/// will hardly stop the ball, since it does not know that way before the hit. So only one whose middle gets
+/// there in time counts.
+double leastRoom(const Pitch& pitch);
+
 /// The run that meets the ball at `time` [s] from now. Empty if the robot would come late, the ball runs away
 /// from it, or it would miss the goal. The gap to opponents is what their fastest way to the ball leaves.
 std::optional<Volley> volleyAt(const Picture& picture, int robot, double time);
 
 /// The run with the widest gap. While a robot waits for the ball, opponents come nearer, so a wait costs the
-/// way that they can drive in it. Empty if no run leaves a gap.
+/// way that they can drive in it. Empty if no run is worth it.
 std::optional<Volley> bestVolley(const Picture& picture, int robot);
 
 }  // namespace fulbito::libero

@@ -96,6 +96,21 @@ TEST_CASE("libero shoots past an opponent in the way of its volley, or not at al
   CHECK_FALSE(libero::bestVolley(scene.picture(), 1));
 }
 
+TEST_CASE("libero shoots where an opponent's face may just reach the ball's way, but not its middle",
+          "[unit]") {
+  int narrow = 0;
+  for (double y = -0.15; y < 0.16; y += 0.01) {
+    Crossing scene(1.0, {0.0, -0.53});
+    scene.seen.opponents[0] = test::standingAt({{0.71, y}, math::kPi / 2});
+    const auto run = libero::bestVolley(scene.picture(), 1);
+    if (!run) continue;
+    CHECK(run->room > libero::leastRoom(scene.pitch));
+    CHECK(std::abs(run->target.y - y) > scene.pitch.ball_radius);
+    narrow += run->room < 0.0 ? 1 : 0;
+  }
+  CHECK(narrow > 0);
+}
+
 TEST_CASE("libero plays no volley at a ball that runs away or that it cannot reach in time", "[unit]") {
   CHECK_FALSE(libero::bestVolley(Crossing(1.0, {0.4, 0.1}).picture(), 1));
   Crossing late(1.0, {0.05, -0.5});
