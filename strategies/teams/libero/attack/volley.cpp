@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fulbito/detail/math.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
+#include "strategies/skills/area_projection.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -41,11 +43,11 @@ struct Flight {
 };
 
 /// The least gap [m] between the ball on its flight, which begins after `wait` [s] and takes `time` [s], and
-/// opponents that drive at it from the first moment.
-double gapToOpponents(const Picture& picture, const Flight& flight, double wait, double time) {
+/// opponents that drive at it from the first moment. Of gaps up to `needed` it only tells that they are.
+double gapToOpponents(const Picture& picture, const Flight& flight, double wait, double time, double needed) {
   const Pitch& pitch = picture.pitch;
   double least = pitch.around;  // wider gaps are not better
-  for (double t = 0.0; least > leastRoom(pitch) && t < time + BallForecast::kStep; t += BallForecast::kStep) {
+  for (double t = 0.0; least > needed && t < time + BallForecast::kStep; t += BallForecast::kStep) {
     const double flown = std::min(t, time);
     const Vec2 ball = flight.at(flown);
     const double reach = wayFromRest(pitch.pace, std::max(0.0, flown - 2 * pitch.tick)) + pitch.front;
@@ -63,8 +65,14 @@ Runner runnerOf(const RobotState& robot) {
   return {robot.pose.position, math::unit(robot.pose.heading), robot.velocity};
 }
 
-/// The run of `self` that meets the ball at `time` [s] from now.
-std::optional<Volley> runAt(const Picture& picture, const Runner& self, double time) {
+/// What a wait of `spare` [s] costs [m]: the way that opponents drive in it.
+double priceOf(const Picture& picture, double spare) {
+  return wayFromRest(picture.pitch.pace, std::max(0.0, spare));
+}
+
+/// The run of `self` that meets the ball at `time` [s] from now, if its room less the price of its wait may
+/// be more than `most` [m].
+std::optional<Volley> runAt(const Picture& picture, const Runner& self, double time, double most) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.at(time), way = ball - self.position;
   if (way.x <= 0.0) return std::nullopt;
@@ -73,8 +81,8 @@ std::optional<Volley> runAt(const Picture& picture, const Runner& self, double t
   const Vec2 ahead = way / length;
   const Vec2 rolling = (picture.ball.at(time + BallForecast::kStep) - ball) / BallForecast::kStep;
   if (dot(rolling, ahead) > 0.0) return std::nullopt;
-  const double needed = timeToReach(pitch.pace, self, ball - ahead * pitch.front);
-  if (needed > time + BallForecast::kStep) return std::nullopt;
+  const double spare = time - timeToReach(pitch.pace, self, ball - ahead * pitch.front);
+  if (spare < -BallForecast::kStep) return std::nullopt;
   const double start = std::max(0.0, dot(self.velocity, ahead));
   const double speed = std::min(pitch.speed, std::sqrt(start * start + 2 * pitch.acceleration * run));
   const Flight flight(pitch, ball, hitOf(pitch, rolling, ahead, speed));
@@ -82,9 +90,10 @@ std::optional<Volley> runAt(const Picture& picture, const Runner& self, double t
   if (!flown || *flown > BallForecast::kSteps * BallForecast::kStep) return std::nullopt;
   const Vec2 target = flight.at(*flown);
   const double beside = pitch.goal_half - pitch.ball_radius - std::abs(target.y);
-  if (beside <= 0.0) return std::nullopt;
-  const double room = std::min(beside, gapToOpponents(picture, flight, time, *flown));
-  return Volley{time, ball, math::angleOf(way), time - needed, room, target};
+  const double needed = most + priceOf(picture, spare);
+  if (beside <= std::max(0.0, needed)) return std::nullopt;
+  const double room = std::min(beside, gapToOpponents(picture, flight, time, *flown, needed));
+  return Volley{time, ball, math::angleOf(way), spare, room, target};
 }
 
 }  // namespace
@@ -97,20 +106,28 @@ Hit hitOf(const Pitch& pitch, Vec2 rolling, Vec2 ahead, double speed) {
   return {rolling + change, rolling + change * pitch.roll_keep};
 }
 
-double leastRoom(const Pitch& pitch) { return -pitch.front; }
+double leastRoom(const Picture& picture) {
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (picture.opponentPresent(i) &&
+        !isInArea(picture.pitch.field, picture.opponent(i).pose.position, false))
+      return -picture.pitch.front;
+  }
+  return 0.0;
+}
 
 std::optional<Volley> volleyAt(const Picture& picture, int robot, double time) {
-  return runAt(picture, runnerOf(picture.own(robot)), time);
+  constexpr double kAny = -std::numeric_limits<double>::infinity();
+  return runAt(picture, runnerOf(picture.own(robot)), time, kAny);
 }
 
 std::optional<Volley> bestVolley(const Picture& picture, int robot) {
   const Runner self = runnerOf(picture.own(robot));
   std::optional<Volley> best;
-  double most = leastRoom(picture.pitch);
+  double most = leastRoom(picture);
   for (int i = 0; i < BallForecast::kSteps; ++i) {
-    const auto volley = runAt(picture, self, i * BallForecast::kStep);
+    const auto volley = runAt(picture, self, i * BallForecast::kStep, most);
     if (!volley) continue;
-    const double room = volley->room - wayFromRest(picture.pitch.pace, std::max(0.0, volley->spare));
+    const double room = volley->room - priceOf(picture, volley->spare);
     if (room > most) most = room, best = volley;
   }
   return best;

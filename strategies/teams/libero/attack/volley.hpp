@@ -28,8 +28,8 @@ Hit hitOf(const Pitch& pitch, Vec2 rolling, Vec2 ahead, double speed);
 
 /// The least gap [m] of a run that is worth it. An opponent that just reaches the ball's way with its face
 /// will hardly stop the ball, since it does not know that way before the hit. So only one whose middle gets
-/// there in time counts.
-double leastRoom(const Pitch& pitch);
+/// there in time counts. Alone against a keeper, nobody takes the ball from a robot that waits for a gap.
+double leastRoom(const Picture& picture);
 
 /// The run that meets the ball at `time` [s] from now. Empty if the robot would come late, the ball runs away
 /// from it, or it would miss the goal. The gap to opponents is what their fastest way to the ball leaves.

@@ -29,7 +29,7 @@ bool isKept(const Picture& picture) {
 std::optional<Volley> chosen(const Picture& picture, int robot, double left) {
   if (left > 0.0) {
     const auto kept = volleyAt(picture, robot, left);
-    if (kept && kept->room > leastRoom(picture.pitch) - picture.tuning.clearance) return kept;
+    if (kept && kept->room > leastRoom(picture) - picture.tuning.clearance) return kept;
   }
   return bestVolley(picture, robot);
 }

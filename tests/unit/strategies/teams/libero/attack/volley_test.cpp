@@ -104,7 +104,7 @@ TEST_CASE("libero shoots where an opponent's face may just reach the ball's way,
     scene.seen.opponents[0] = test::standingAt({{0.71, y}, math::kPi / 2});
     const auto run = libero::bestVolley(scene.picture(), 1);
     if (!run) continue;
-    CHECK(run->room > libero::leastRoom(scene.pitch));
+    CHECK(run->room > libero::leastRoom(scene.picture()));
     CHECK(std::abs(run->target.y - y) > scene.pitch.ball_radius);
     narrow += run->room < 0.0 ? 1 : 0;
   }
