@@ -116,8 +116,7 @@ double leastRoom(const Picture& picture) {
 }
 
 std::optional<Volley> volleyAt(const Picture& picture, int robot, double time) {
-  constexpr double kAny = -std::numeric_limits<double>::infinity();
-  return runAt(picture, runnerOf(picture.own(robot)), time, kAny);
+  return runAt(picture, runnerOf(picture.own(robot)), time, std::numeric_limits<double>::lowest());
 }
 
 std::optional<Volley> bestVolley(const Picture& picture, int robot) {

@@ -102,6 +102,10 @@ TEST_CASE("libero shoots where an opponent's face may just reach the ball's way,
   for (double y = -0.15; y < 0.16; y += 0.01) {
     Crossing scene(1.0, {0.0, -0.53});
     scene.seen.opponents[0] = test::standingAt({{0.71, y}, math::kPi / 2});
+    // Alone against a keeper it waits for a gap.
+    const auto alone = libero::bestVolley(scene.picture(), 1);
+    if (alone) CHECK(alone->room > 0.0);
+    scene.seen.opponents[1] = test::standingAt({{0.44, 0.40}, math::kPi});
     const auto run = libero::bestVolley(scene.picture(), 1);
     if (!run) continue;
     CHECK(run->room > libero::leastRoom(scene.picture()));
