@@ -106,14 +106,16 @@ Hit hitOf(const Pitch& pitch, Vec2 rolling, Vec2 ahead, double speed) {
   return {rolling + change, rolling + change * pitch.roll_keep};
 }
 
-double leastRoom(const Picture& picture) {
+bool hasOpponent(const Picture& picture, bool in_area) {
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (picture.opponentPresent(i) &&
-        !isInArea(picture.pitch.field, picture.opponent(i).pose.position, false))
-      return -picture.pitch.front;
+        isInArea(picture.pitch.field, picture.opponent(i).pose.position, false) == in_area)
+      return true;
   }
-  return 0.0;
+  return false;
 }
+
+double leastRoom(const Picture& picture) { return hasOpponent(picture, false) ? -picture.pitch.front : 0.0; }
 
 std::optional<Volley> volleyAt(const Picture& picture, int robot, double time) {
   return runAt(picture, runnerOf(picture.own(robot)), time, std::numeric_limits<double>::lowest());

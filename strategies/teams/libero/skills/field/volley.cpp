@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "strategies/skills/area_projection.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
 
@@ -13,15 +12,6 @@ namespace {
 bool isPenalty(const Picture& picture) {
   return picture.seen.restart == RestartKind::kPenalty &&
          picture.seen.since_restart < picture.tuning.patience;
-}
-
-/// Whether an opponent keeps their goal. An empty goal needs no run-up, but the first touch.
-bool isKept(const Picture& picture) {
-  for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (picture.opponentPresent(i) && isInArea(picture.pitch.field, picture.opponent(i).pose.position, false))
-      return true;
-  }
-  return false;
 }
 
 /// The run of the last tick, as long as it leaves room, or the best one. A robot that took the best one in
@@ -43,7 +33,8 @@ std::optional<Move> volley(const Picture& picture, int robot, Memory& memory) {
   if (picture.pitch.shoves || memory.spin.left > 0.0 ||
       squaredNorm(picture.ball.now().velocity) < rolls * rolls)
     return std::nullopt;
-  if (isPenalty(picture) || !isKept(picture)) return std::nullopt;
+  // An empty goal needs no run-up, but the first touch.
+  if (isPenalty(picture) || !hasOpponent(picture, true)) return std::nullopt;
   const auto run = chosen(picture, robot, left);
   if (!run) return std::nullopt;
   memory.volley = run->time;

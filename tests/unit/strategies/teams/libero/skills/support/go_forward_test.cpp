@@ -1,4 +1,6 @@
 #include "fulbito/detail/math.hpp"
+#include "strategies/prediction/foresight.hpp"
+#include "strategies/teams/libero/attack/volley.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
@@ -36,11 +38,34 @@ TEST_CASE("libero's support waits for rebounds, or with a run-up for a ball thro
     REQUIRE(back);
     CHECK(side * near->y < 0.0);
     CHECK(side * back->y < 0.0);
-    CHECK(back->x < near->x);
-    // The run-up takes about as long as a ball thrown at 0.5 m/s takes to the middle.
     const libero::Pitch pitch(test::infoOf(3, "firasim"));
+    CHECK(back->x < near->x - pitch.front);
+    // The run-up takes about as long as a ball thrown at 0.5 m/s takes to the middle.
     const double way = norm(*back - Vec2{ball.x + 0.1, 0.0}) - pitch.front;
     CHECK(std::abs(timeAlong(pitch.pace, way, 0.0) - 0.4 / 0.5) < 0.15);
+  }
+}
+
+TEST_CASE("from its place, libero's support shoots a ball that one robot throws, and one that both throw",
+          "[unit]") {
+  const MatchInfo info = test::infoOf(3, "firasim");
+  const libero::Pitch pitch(info);
+  const Vec2 mark = info.field.free_ball_mark;
+  const auto place = forward("firasim", mark, 3.0);
+  REQUIRE(place);
+  for (const Vec2 thrown : {Vec2{0.14, -0.52}, Vec2{0.0, -0.53}}) {
+    Observation seen;
+    seen.team_size = 3;
+    seen.own[2] = test::standingAt({*place, math::angleOf(pitch.theirGoal() - *place)});
+    // Keepers follow the ball, so theirs stands on its side.
+    seen.opponents[0] = test::standingAt({{0.71, 0.12}, math::kPi / 2});
+    seen.opponents[1] = test::standingAt({{mark.x + pitch.front, mark.y}, math::kPi});
+    seen.ball = {mark + thrown * 0.2, thrown, thrown};
+    BallPrediction way;
+    way.predict(BallCourse(info.field, info.ball, info.physics), seen.ball);
+    libero::BallForecast ball;
+    ball.take(seen.ball, way);
+    CHECK(libero::bestVolley({seen, pitch, ball}, 2));
   }
 }
 
