@@ -18,8 +18,9 @@ SpinRatio::SpinRatio(const RobotModel& robot)
 // The command [m/s] of half the rims' difference that makes the rims turn at `turn` [m/s], where the wheels
 // roll on edges `outer_edge` times the axle track apart.
 double SpinRatio::commandForRims(double turn, double outer_edge, const Twist& motion) const {
-  if (isOne()) return turn;
   const double driven = std::abs(motion.linear) * per_play_;
+  // Up to this turn nothing scrubs, as on most ways.
+  if (isOne() || turn <= driven) return turn;
   double command = turn;
   // Each round leaves a small share of the error, since the ratios are near 1.
   for (int round = 0; round < 4; ++round)
