@@ -10,15 +10,24 @@ namespace {
 
 Side sideOf(bool own) { return own ? Side::kLeft : Side::kRight; }
 
+/// Whether a point of the goal's frame is at least `margin` [m] farther from the goal line than any point of
+/// the goal area. Most points are, and this takes less time than the area's shape.
+bool isBeyond(const FieldGeometry& field, Vec2 seen, double margin) {
+  constexpr double kRounding = 1e-9;  // [m]
+  return seen.x > field.goal_area_depth + std::max(0.0, field.goal_area_arc_depth) + margin + kRounding;
+}
+
 }  // namespace
 
 bool isInArea(const FieldGeometry& field, Vec2 p, bool own, double margin) {
-  return contains(grown(goalAreaOf(field), margin), intoGoalFrame(field, sideOf(own), p));
+  const Vec2 seen = intoGoalFrame(field, sideOf(own), p);
+  return !isBeyond(field, seen, margin) && contains(grown(goalAreaOf(field), margin), seen);
 }
 
 Vec2 outsideArea(const FieldGeometry& field, Vec2 p, bool own, double margin) {
-  const AreaShape area = grown(goalAreaOf(field), margin);
   const Vec2 seen = intoGoalFrame(field, sideOf(own), p);
+  if (isBeyond(field, seen, margin)) return p;
+  const AreaShape area = grown(goalAreaOf(field), margin);
   if (!contains(area, seen)) return p;
   double out = area.depth;
   const double bulge2 = area.arc_radius * area.arc_radius - seen.y * seen.y;
@@ -34,6 +43,11 @@ Vec2 outsideArea(const FieldGeometry& field, Vec2 p, bool own, double margin) {
 
 double distanceToArea(const FieldGeometry& field, Vec2 p, bool own) {
   return distanceTo(goalAreaOf(field), intoGoalFrame(field, sideOf(own), p));
+}
+
+bool isNearArea(const FieldGeometry& field, Vec2 p, bool own, double distance) {
+  const Vec2 seen = intoGoalFrame(field, sideOf(own), p);
+  return !isBeyond(field, seen, distance) && distanceTo(goalAreaOf(field), seen) < distance;
 }
 
 }  // namespace fulbito

@@ -16,4 +16,7 @@ Vec2 outsideArea(const FieldGeometry& field, Vec2 p, bool own, double margin);
 /// Distance [m] from that area (arc included, without a margin) to `p`; negative inside.
 double distanceToArea(const FieldGeometry& field, Vec2 p, bool own);
 
+/// Whether a point is in that area (arc included) or less than `distance` [m] away from it.
+bool isNearArea(const FieldGeometry& field, Vec2 p, bool own, double distance);
+
 }  // namespace fulbito

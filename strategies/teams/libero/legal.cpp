@@ -18,13 +18,13 @@ Twist twistOf(const Pitch& pitch, const RobotCommand& command) {
 /// Whether the striker is outside the opponents' area and another own robot is inside: a second one inside
 /// is a foul.
 bool mateIsIn(const Picture& picture) {
-  if (distanceToArea(picture.pitch.field, picture.own(picture.striker).pose.position, false) <
-      picture.pitch.robot_half)
+  if (isNearArea(picture.pitch.field, picture.own(picture.striker).pose.position, false,
+                 picture.pitch.robot_half))
     return false;
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (i == picture.striker || !picture.ownPresent(i)) continue;
-    if (distanceToArea(picture.pitch.field, picture.own(i).pose.position, false) <
-        picture.pitch.robot_corner + picture.tuning.clearance / 2)
+    if (isNearArea(picture.pitch.field, picture.own(i).pose.position, false,
+                   picture.pitch.robot_corner + picture.tuning.clearance / 2))
       return true;
   }
   return false;
