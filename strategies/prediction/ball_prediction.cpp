@@ -147,12 +147,15 @@ std::optional<BallPrediction::Crossing> BallPrediction::crossing(Vec2 point, Vec
 }
 
 void BallPrediction::sample(std::span<Vec2> points, double step) const {
-  int index = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double t = static_cast<double>(i + 1) * step;
-    while (endOf(index) <= t) ++index;
-    const Stretch& stretch = stretches_[static_cast<std::size_t>(index)];
-    points[i] = stretch.motion.positionAt(t - stretch.begin);
+  std::size_t i = 0;
+  for (int index = 0; i < points.size(); ++index) {
+    const double begin = stretches_[static_cast<std::size_t>(index)].begin, end = endOf(index);
+    const EvenMotion motion = stretches_[static_cast<std::size_t>(index)].motion;
+    for (; i < points.size(); ++i) {
+      const double t = static_cast<double>(i + 1) * step;
+      if (end <= t) break;
+      points[i] = motion.positionAt(t - begin);
+    }
   }
 }
 

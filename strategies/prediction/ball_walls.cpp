@@ -4,6 +4,18 @@
 #include <cmath>
 
 namespace fulbito {
+namespace {
+
+/// Distance [m] of a point from the straight line between `from` and `to`, exact to the line's shortest
+/// length.
+double distanceToStretch(Vec2 point, Vec2 from, Vec2 to) {
+  constexpr double kShortest = 1e-6;  // [m]
+  const Vec2 way = to - from;
+  const double share = dot(point - from, way) / std::max(squaredNorm(way), kShortest * kShortest);
+  return distance(point, from + way * std::clamp(share, 0.0, 1.0));
+}
+
+}  // namespace
 
 std::optional<double> timeOfFall(double height, double speed, double acceleration, double duration) {
   constexpr double kSlowest = 1e-6;  // [m/s] smaller speeds are rounding errors
@@ -56,24 +68,26 @@ std::optional<BallWalls::Hit> BallWalls::firstHit(const EvenMotion& motion, doub
   std::optional<Hit> first;
   double until = duration;
   for (const Line& line : lines_) {
-    if (dot(end - line.begin, line.normal) <= 4.0 * bulge) meetLine(line, motion, first, until);
+    constexpr double kDeepest = 0.01;  // [m] a ball deeper behind this wall is on another wall's side
+    const double height = dot(motion.position - line.begin, line.normal);
+    if (height >= -kDeepest && dot(end - line.begin, line.normal) <= 4.0 * bulge)
+      meetLine(line, height, motion, first, until);
   }
-  // All of the path lies in a circle around the middle of its chord.
+  // All of the path lies in a circle around the middle of its chord, and within its bulge of the chord.
   const Vec2 stop = motion.positionAt(until);
-  const double reach =
-      radius_ + norm(motion.acceleration) * until * until / 8.0 + distance(motion.position, stop) / 2.0;
+  const double near = radius_ + norm(motion.acceleration) * until * until / 8.0;
+  const double reach = near + distance(motion.position, stop) / 2.0;
   for (const Vec2 post : posts_) {
-    if (squaredNorm((motion.position + stop) / 2.0 - post) <= reach * reach)
+    constexpr double kSure = 1e-4;  // [m] more than `meetPost` allows a touching ball
+    if (squaredNorm((motion.position + stop) / 2.0 - post) <= reach * reach &&
+        distanceToStretch(post, motion.position, stop) <= near + kSure)
       meetPost(post, motion, first, until);
   }
   return first;
 }
 
-void BallWalls::meetLine(const Line& line, const EvenMotion& motion, std::optional<Hit>& first,
+void BallWalls::meetLine(const Line& line, double height, const EvenMotion& motion, std::optional<Hit>& first,
                          double& until) const {
-  constexpr double kDeepest = 0.01;  // [m] a ball deeper behind this wall is on another wall's side
-  const double height = dot(motion.position - line.begin, line.normal);
-  if (height < -kDeepest) return;
   const auto time =
       timeOfFall(height, dot(motion.velocity, line.normal), dot(motion.acceleration, line.normal), until);
   if (!time || (first && *time >= until)) return;
@@ -102,6 +116,10 @@ void BallWalls::meetPost(Vec2 post, const EvenMotion& motion, std::optional<Hit>
       until = time;
       return;
     }
+    // Its way from here, v t + a t^2 / 2, never leads back toward the post, so the gap stays at least as
+    // wide.
+    const Vec2 way = motion.velocityAt(time) + motion.acceleration * ((until - time) / 2.0);
+    if (!approaches && gap > 2.0 * kTouch && dot(from, way) >= 0.0) return;
     time += std::max(gap, approaches ? kTouch : kStep) / fastest;
   }
 }

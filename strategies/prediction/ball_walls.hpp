@@ -45,7 +45,8 @@ class BallWalls {
     Vec2 normal;
     double length = 0.0;
   };
-  void meetLine(const Line& line, const EvenMotion& motion, std::optional<Hit>& first, double& until) const;
+  void meetLine(const Line& line, double height, const EvenMotion& motion, std::optional<Hit>& first,
+                double& until) const;
   void meetPost(Vec2 post, const EvenMotion& motion, std::optional<Hit>& first, double& until) const;
 
   double radius_ = 0.0;

@@ -93,6 +93,33 @@ TEST_CASE("a ball on a bent way meets what its chord passes by", "[unit]") {
   }
 }
 
+TEST_CASE("a ball that passes a post is told from one that meets it", "[unit]") {
+  const MatchInfo info = test::matchInfo();
+  const BallWalls walls(info.field, info.ball.radius);
+  const Vec2 post{info.field.length / 2, info.field.goal_width / 2};
+  Rng rng(6, test::kTestStream);
+  int met = 0, passed = 0;
+  for (int run = 0; run < 4000; ++run) {
+    // Straight and bent ways close to the post, from the field.
+    EvenMotion motion;
+    motion.position = post - Vec2{rng.uniform(0.03, 0.2), rng.uniform(-0.1, 0.1)};
+    const Vec2 toward = post + test::drawVector(rng, 0.0, 2.0 * info.ball.radius);
+    motion.velocity = unitOr(toward - motion.position, {1.0, 0.0}) * rng.uniform(0.1, 1.5);
+    motion.acceleration = test::drawVector(rng, 0.0, run % 2 == 0 ? 0.0 : 1.0);
+    constexpr double kDuration = 0.4;
+    const auto hit = walls.firstHit(motion, kDuration);
+    const double until = hit ? hit->time : kDuration;
+    double nearest = 1.0;
+    for (int i = 0; i <= 1000; ++i)
+      nearest = std::min(nearest, distance(motion.positionAt(until * i / 1000), post));
+    CAPTURE(run, motion.position, motion.velocity, motion.acceleration, until);
+    REQUIRE(nearest > info.ball.radius - 5e-5);
+    ++(hit && nearest < info.ball.radius + 2e-5 ? met : passed);
+  }
+  CHECK(met > 500);
+  CHECK(passed > 500);
+}
+
 TEST_CASE("a ball on a post comes back", "[unit]") {
   const MatchInfo info = test::matchInfo();
   const BallCourse course(info.field, info.ball, info.physics);
