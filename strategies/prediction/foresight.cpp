@@ -43,8 +43,12 @@ const Observation& Estimator::update(const Observation& seen, const BallPredicti
   return now_;
 }
 
-Foresight::Foresight(const MatchInfo& info)
-    : course_(info.field, info.ball, info.physics), pace_(info.robot), tracks_(info), estimator_(info) {}
+Foresight::Foresight(const MatchInfo& info, double horizon)
+    : course_(info.field, info.ball, info.physics),
+      pace_(info.robot),
+      tracks_(info),
+      estimator_(info),
+      horizon_(horizon) {}
 
 const Observation& Foresight::update(const Observation& observed) {
   play_began_ = observed.since_restart < last_since_restart_;
@@ -61,11 +65,11 @@ const Observation& Foresight::update(const Observation& observed) {
   }
   const Observation& seen = tracks_.isNeeded() ? tracked_ : observed;
   ball_ = tracker_.update(course_, seen.ball, seen.dt);
-  prediction_.predict(course_, ball_);
+  prediction_.predict(course_, ball_, horizon_);
   const Observation& now = estimator_.update(seen, prediction_);
   if (estimator_.isNeeded()) {
     ball_ = prediction_.ballAt(estimator_.age());
-    prediction_.predict(course_, ball_);
+    prediction_.predict(course_, ball_, horizon_);
   }
   return now;
 }

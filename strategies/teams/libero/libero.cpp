@@ -32,7 +32,7 @@ class Libero final : public Strategy {
   void begin(const MatchInfo& info) override {
     robot_ = info.robot;
     pitch_ = Pitch(info, tuning_);
-    foresight_ = Foresight(info);
+    foresight_ = Foresight(info, BallForecast::horizon());
     forgetStriker();
     exercise_ = {};
     dispute_left_ = {};
@@ -73,7 +73,9 @@ class Libero final : public Strategy {
   std::optional<ExerciseReply> exercise(const Observation& observation, const Exercise& exercise) override {
     const Observation& now = foresight_.update(observation);
     ExerciseReply reply;
-    reply.answer = foresight_.ball().positionAt(exercise.horizon);
+    BallPrediction way;
+    way.predict(foresight_.course(), foresight_.ballNow());
+    reply.answer = way.positionAt(exercise.horizon);
     reply.command.robots[0] = RobotCommand::byTwist(
         exerciseTwist(pitch_, now.own[0].state, now.ball.position, exercise, exercise_));
     return reply;

@@ -1,6 +1,6 @@
 #include "strategies/teams/libero/situation/ball.hpp"
 
-#include <algorithm>
+#include <span>
 
 namespace fulbito::libero {
 namespace {
@@ -18,13 +18,6 @@ void BallForecast::take(const BallState& ball, const BallPrediction& way) {
   } else {
     way.sample(std::span(points_).subspan(1), kStep);
   }
-}
-
-Vec2 BallForecast::at(double time) const {
-  const double steps = std::clamp(time / kStep, 0.0, static_cast<double>(kSteps) - 1e-9);
-  const auto i = static_cast<std::size_t>(steps);
-  const double part = steps - static_cast<double>(i);
-  return points_[i] + (points_[i + 1] - points_[i]) * part;
 }
 
 }  // namespace fulbito::libero

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "strategies/prediction/ball_prediction.hpp"
@@ -12,6 +13,8 @@ class BallForecast {
  public:
   static constexpr int kSteps = 30;
   static constexpr double kStep = 0.05;  ///< [s] resolution: three ticks
+  /// How far a prediction must reach [s] for `take`: a step beyond the last that it samples.
+  static double horizon() { return (kSteps + 1) * kStep; }
 
   /// Stores `ball`, the present ball, and samples its prediction `way`.
   void take(const BallState& ball, const BallPrediction& way);
@@ -27,5 +30,12 @@ class BallForecast {
   BallState now_;
   bool resting_ = true;
 };
+
+inline Vec2 BallForecast::at(double time) const {
+  const double steps = std::clamp(time / kStep, 0.0, static_cast<double>(kSteps) - 1e-9);
+  const auto i = static_cast<std::size_t>(steps);
+  const double part = steps - static_cast<double>(i);
+  return points_[i] + (points_[i + 1] - points_[i]) * part;
+}
 
 }  // namespace fulbito::libero

@@ -31,6 +31,12 @@ TEST_CASE("libero's forecast is the prediction, in even steps and held at its en
       CHECK(distance(half, (forecast.sample(i) + next) / 2) < 1e-6);
     }
     CHECK(distance(forecast.at(99.0), forecast.sample(BallForecast::kSteps)) < 1e-6);
+    // A prediction that ends at the forecast's horizon gives the same to the last bit.
+    BallPrediction short_way;
+    short_way.predict(course, ball, BallForecast::horizon());
+    BallForecast same;
+    same.take(ball, short_way);
+    for (int i = 0; i <= BallForecast::kSteps; ++i) CHECK(same.sample(i) == forecast.sample(i));
   }
   BallForecast still;
   still.take({{0.1, 0.2}, {}, {}}, {});
