@@ -36,6 +36,13 @@ double wayFromRest(const RobotPace& pace, double time) {
   return pace.acceleration * ramp * ramp / 2.0 + pace.speed * (time - ramp);
 }
 
+double farthestIn(const RobotPace& pace, double speed, double time) {
+  constexpr double kRounding = 1e-6;  // [m]
+  const double start = std::min(speed, pace.speed);
+  const double ramp = std::min(time, (pace.speed - start) / pace.acceleration);
+  return (start + pace.acceleration * ramp / 2.0) * ramp + pace.speed * (time - ramp) + kRounding;
+}
+
 double timeToTurn(const RobotPace& pace, double angle) {
   // Bang-bang turning takes 2 sqrt(angle / a).
   return 2.0 * std::sqrt(angle / pace.turning);

@@ -61,9 +61,15 @@ double gapToOpponents(const Picture& picture, const Flight& flight, double wait,
   return least;
 }
 
-Runner runnerOf(const RobotState& robot) {
-  return {robot.pose.position, math::unit(robot.pose.heading), robot.velocity};
-}
+/// A robot that may run at the ball.
+struct Candidate {
+  Runner runner;
+  double speed;  // [m/s]
+
+  explicit Candidate(const RobotState& robot)
+      : runner{robot.pose.position, math::unit(robot.pose.heading), robot.velocity},
+        speed(norm(robot.velocity)) {}
+};
 
 /// What a wait of `spare` [s] costs [m]: the way that opponents drive in it.
 double priceOf(const Picture& picture, double spare) {
@@ -72,10 +78,13 @@ double priceOf(const Picture& picture, double spare) {
 
 /// The run of `self` that meets the ball at `time` [s] from now, if its room less the price of its wait may
 /// be more than `most` [m].
-std::optional<Volley> runAt(const Picture& picture, const Runner& self, double time, double most) {
+std::optional<Volley> runAt(const Picture& picture, const Candidate& robot, double time, double most) {
   const Pitch& pitch = picture.pitch;
+  const Runner& self = robot.runner;
   const Vec2 ball = picture.ball.at(time), way = ball - self.position;
   if (way.x <= 0.0) return std::nullopt;
+  const double farthest = farthestIn(pitch.pace, robot.speed, time + BallForecast::kStep) + pitch.front;
+  if (squaredNorm(way) > farthest * farthest) return std::nullopt;
   const double length = norm(way), run = length - pitch.front;
   if (run < 0.0) return std::nullopt;
   const Vec2 ahead = way / length;
@@ -83,14 +92,15 @@ std::optional<Volley> runAt(const Picture& picture, const Runner& self, double t
   if (dot(rolling, ahead) > 0.0) return std::nullopt;
   const double spare = time - timeToReach(pitch.pace, self, ball - ahead * pitch.front);
   if (spare < -BallForecast::kStep) return std::nullopt;
+  const double needed = most + priceOf(picture, spare), widest = pitch.goal_half - pitch.ball_radius;
+  if (widest <= needed) return std::nullopt;
   const double start = std::max(0.0, dot(self.velocity, ahead));
   const double speed = std::min(pitch.speed, std::sqrt(start * start + 2 * pitch.acceleration * run));
   const Flight flight(pitch, ball, hitOf(pitch, rolling, ahead, speed));
   const auto flown = flight.crosses(pitch.half_length);
   if (!flown || *flown > BallForecast::kSteps * BallForecast::kStep) return std::nullopt;
   const Vec2 target = flight.at(*flown);
-  const double beside = pitch.goal_half - pitch.ball_radius - std::abs(target.y);
-  const double needed = most + priceOf(picture, spare);
+  const double beside = widest - std::abs(target.y);
   if (beside <= std::max(0.0, needed)) return std::nullopt;
   const double room = std::min(beside, gapToOpponents(picture, flight, time, *flown, needed));
   return Volley{time, ball, math::angleOf(way), spare, room, target};
@@ -118,11 +128,11 @@ bool hasOpponent(const Picture& picture, bool in_area) {
 double leastRoom(const Picture& picture) { return hasOpponent(picture, false) ? -picture.pitch.front : 0.0; }
 
 std::optional<Volley> volleyAt(const Picture& picture, int robot, double time) {
-  return runAt(picture, runnerOf(picture.own(robot)), time, std::numeric_limits<double>::lowest());
+  return runAt(picture, Candidate(picture.own(robot)), time, std::numeric_limits<double>::lowest());
 }
 
 std::optional<Volley> bestVolley(const Picture& picture, int robot) {
-  const Runner self = runnerOf(picture.own(robot));
+  const Candidate self(picture.own(robot));
   std::optional<Volley> best;
   double most = leastRoom(picture);
   for (int i = 0; i < BallForecast::kSteps; ++i) {

@@ -6,6 +6,7 @@
 #include "fulbito/detail/math.hpp"
 #include "fulbito/world.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/draws.hpp"
 #include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/match_info.hpp"
 
@@ -34,6 +35,24 @@ TEST_CASE("the way from rest is the inverse of the time along it", "[unit]") {
   for (const double way : {0.0, 0.01, 0.1, 0.3, 1.0}) {
     CAPTURE(way);
     CHECK(wayFromRest(pace, timeAlong(pace, way, 0.0)) == Approx(way).margin(1e-6));
+  }
+}
+
+TEST_CASE("no target beyond the farthest way is reached in time", "[unit]") {
+  Rng rng(5, test::kTestStream);
+  for (const char* name : {"vsss", "firasim"}) {
+    const RobotPace pace((*loadRobot(name)).robot);
+    for (int run = 0; run < 5000; ++run) {
+      const Runner robot{
+          {}, math::unit(rng.uniform(-math::kPi, math::kPi)), test::drawVector(rng, 0.0, 1.2 * pace.speed)};
+      const Vec2 target = test::drawVector(rng, 0.0, run % 2 == 0 ? 0.01 : 1.5);
+      CAPTURE(name, run);
+      REQUIRE(norm(target) <= farthestIn(pace, norm(robot.velocity), timeToReach(pace, robot, target)));
+    }
+    // A robot at speed that faces its target drives that way.
+    const Runner straight{{}, {1.0, 0.0}, {0.5 * pace.speed, 0.0}};
+    const double time = timeToReach(pace, straight, {0.8, 0.0});
+    CHECK(farthestIn(pace, 0.5 * pace.speed, time) == Approx(0.8).margin(1e-5));
   }
 }
 
