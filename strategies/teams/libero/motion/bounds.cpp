@@ -7,6 +7,7 @@
 #include "fulbito/detail/math.hpp"
 #include "strategies/interface/team_frame.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
+#include "strategies/skills/area_projection.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
 #include "strategies/teams/libero/motion/roll.hpp"
 
@@ -27,9 +28,9 @@ struct Bound {
   bool allows(Twist twist, double limit = 0.0) const {
     Roll roll(pitch, robot);
     for (int i = ticksTried(pitch, norm(robot.velocity)); i > 0; --i) roll.drive(twist);
-    for (int left = ticksToRest(pitch); left >= 0; --left) {
+    for (int left = pitch.ticks_to_rest; left >= 0; --left) {
       const double now = depth(roll.place);
-      const double way = roll.fastest() * (left * pitch.tick);  // no longer way is left
+      const double way = roll.mostDriven(left * pitch.tick);  // no longer way is left
       if (now > limit || now + way <= limit) return now <= limit;
       roll.brake();
     }
@@ -135,22 +136,28 @@ bool isPressed(const Picture& picture, const RobotState& robot) {
   return false;
 }
 
+/// Whether the robot rests before it can come to the area at any margin. Most robots are that far away.
+bool isFar(const Picture& picture, const RobotState& robot, bool own) {
+  const Pitch& pitch = picture.pitch;
+  const double margin = pitch.tuning.area_margin + std::max(pitch.around, pitch.robot_corner);
+  const double way = mostWay(pitch, norm(robot.velocity)) + pitch.tuning.clearance;
+  return !isNearArea(pitch.field, robot.pose.position, own, margin + way);
+}
+
 }  // namespace
 
 RobotCommand keptOut(const Picture& picture, int robot, Closed closed, Twist wanted) {
   const RobotState& self = picture.own(robot);
-  const double x = self.pose.position.x;
-  if (closed.own && x < 0.0) {
+  const bool own = self.pose.position.x < 0.0;
+  if (!(own ? closed.own : closed.theirs) || isFar(picture, self, own)) return RobotCommand::byTwist(wanted);
+  if (own) {
     // A defender is inside with more than half of its body.
     const double more = isPressed(picture, self) ? picture.pitch.around : 0.0;
     return Bound{picture.pitch, self, picture.tuning.area_margin + more}.kept(wanted);
   }
-  if (closed.theirs && x > 0.0) {
-    // There any part of the body counts as inside.
-    const double margin = picture.tuning.area_margin + picture.pitch.robot_corner;
-    return Bound{picture.pitch, inTeamFrame(Side::kRight, self), margin}.kept(wanted);
-  }
-  return RobotCommand::byTwist(wanted);
+  // There any part of the body counts as inside.
+  const double margin = picture.tuning.area_margin + picture.pitch.robot_corner;
+  return Bound{picture.pitch, inTeamFrame(Side::kRight, self), margin}.kept(wanted);
 }
 
 }  // namespace fulbito::libero

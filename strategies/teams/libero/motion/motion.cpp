@@ -7,6 +7,21 @@
 #include "fulbito/detail/math.hpp"
 
 namespace fulbito::libero {
+namespace {
+
+/// Whether the rear end of a robot leads on a way that is `error` [rad] >= 0 off its heading. Its motion only
+/// counts where the turns of both ends are nearly equal.
+bool leadsWithRear(const Pitch& pitch, const RobotState& robot, double error) {
+  const double keeps = pitch.tuning.turn_in / 2, equal = math::kPi / 2;
+  if (error <= equal - keeps) return false;
+  if (error > equal + keeps) return true;
+  const double forward = dot(robot.velocity, math::unit(robot.pose.heading));
+  if (std::abs(forward) > pitch.tuning.lies) return error > equal + std::copysign(keeps, forward);
+  return error > equal;
+}
+
+}  // namespace
+
 double foldedError(double wanted, double heading) {
   const double error = math::wrapAngle(wanted - heading);
   if (error > math::kPi / 2) return error - math::kPi;
@@ -16,11 +31,8 @@ double foldedError(double wanted, double heading) {
 
 Twist alongHeading(const Pitch& pitch, const RobotState& robot, double heading, double speed, double gain) {
   double error = math::wrapAngle(heading - robot.pose.heading);
-  const double forward = dot(robot.velocity, math::unit(robot.pose.heading));
-  double limit = math::kPi / 2;
-  if (std::abs(forward) > pitch.tuning.lies) limit += std::copysign(pitch.tuning.turn_in / 2, forward);
   double sign = 1.0;
-  if (std::abs(error) > limit) {
+  if (leadsWithRear(pitch, robot, std::abs(error))) {
     error += error > 0.0 ? -math::kPi : math::kPi;
     sign = -1.0;
   }

@@ -10,25 +10,23 @@ namespace fulbito::libero {
 
 inline constexpr double kStands = 1e-9;  ///< [m/s] rounding: below it, braking wheels stand still
 
-/// Ticks until a robot that brakes from its top speed rests, after one tick of any command.
-inline int ticksToRest(const Pitch& pitch) {
-  return 1 + static_cast<int>(std::ceil(pitch.speed / (pitch.plannedBraking() * pitch.tick)));
-}
-
 /// Ticks for which a robot must be able to go on with a command before it takes it. One that stands tries a
 /// few: the first tick moves it so little that any command seems harmless, and it would start and stop
 /// forever at the edge of a closed place.
 inline int ticksTried(const Pitch& pitch, double speed) {
-  if (speed > pitch.tuning.lies) return 1;
-  return 1 + static_cast<int>(std::sqrt(2 * pitch.tuning.clearance / pitch.acceleration) / pitch.tick);
+  return speed > pitch.tuning.lies ? 1 : pitch.ticks_to_start;
+}
+
+/// Deceleration [m/s^2] that a robot plans with when it brakes and slides.
+inline double slowing(const Pitch& pitch) {
+  return pitch.tuning.braking_share * std::min(pitch.braking, pitch.sliding);
 }
 
 /// Greatest distance [m] that a robot with `speed` [m/s] covers before it rests, after one tick of any
 /// command.
 inline double mostWay(const Pitch& pitch, double speed) {
   const double then = speed + pitch.acceleration * pitch.tick;
-  const double slows = pitch.tuning.braking_share * std::min(pitch.braking, pitch.sliding);
-  return then * (2 * pitch.tick + then / (2 * slows));
+  return then * (2 * pitch.tick + then / (2 * slowing(pitch)));
 }
 
 /// Unit vector at a small `angle` [rad], exact to 1e-7 up to 0.26, which is half of the greatest turn in a
@@ -58,8 +56,6 @@ struct Roll {
     across = local.y;
   }
 
-  /// An upper bound of its speed [m/s] while it brakes.
-  double fastest() const { return std::abs(forward) + std::abs(across); }
   bool rests() const { return forward == 0.0 && yaw == 0.0 && across == 0.0; }
 
   /// One tick of a twist. As in the limiter, the acceleration of the wheels goes to turning first.
@@ -85,6 +81,22 @@ struct Roll {
     yaw += (change.right - change.left) / 2;
     if (std::abs(forward) + std::abs(yaw) < kStands) forward = yaw = 0.0;
     move((before + forward) / 2, (yaw_before + yaw) / 2);
+  }
+
+  /// @{ Upper bounds [m] while it brakes for `time` [s]: the way of its centre, and the way of its rims by
+  /// turning.
+  double mostDriven(double time) const { return std::min(fastest() * time, mostRolled()); }
+  double mostTurned(double time) const { return std::min(std::abs(yaw) * time, mostRolled()); }
+  /// @}
+
+  /// An upper bound of its speed [m/s] while it brakes.
+  double fastest() const { return std::abs(forward) + std::abs(across); }
+
+  /// An upper bound of the way [m] of any of its rims until it rests. Brakes take the speed off the faster
+  /// rim first, so a robot that spins keeps its own speed for longer.
+  double mostRolled() const {
+    const double rims = fastest() + std::abs(yaw);
+    return rims * (pitch.tick + rims / (2 * slowing(pitch)));
   }
 
   void move(double speed, double turning) {

@@ -1,6 +1,7 @@
 #include "strategies/teams/libero/motion/room.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/core/models/field_places.hpp"
@@ -32,6 +33,14 @@ double gapOf(double half, Vec2 between, Vec2 a, Vec2 b) {
 /// An upper bound of a vector's length, without a root.
 double lengthAtMost(Vec2 v) { return std::abs(v.x) + std::abs(v.y); }
 
+/// Robots on the field.
+struct Crowd {
+  std::array<const RobotState*, 2 * kMaxTeamSize> robots{};
+  std::size_t count = 0;
+
+  void add(const RobotState& robot) { robots[count++] = &robot; }
+};
+
 /// A body as seen from one robot that must not touch it: the opponents' keeper, or a mate.
 struct Body {
   const Picture& picture;
@@ -51,7 +60,7 @@ struct Body {
   /// Whether the robot can stop in front of the other after it has begun `twist`.
   bool allows(Twist twist) const {
     Roll roll = start;
-    const int tried = ticksTried(pitch, norm(self.velocity)), horizon = tried + ticksToRest(pitch);
+    const int tried = ticksTried(pitch, norm(self.velocity)), horizon = tried + pitch.ticks_to_rest;
     for (int i = 1; i < horizon && !(i > tried && roll.rests()); ++i) {
       if (i > tried)
         roll.brake();
@@ -59,24 +68,29 @@ struct Body {
         roll.drive(twist);
       const double gap = gapAfter(roll, i);
       if (gap < pitch.tuning.body_gap) return false;
-      if (i >= tried && gap - mostLost(roll, i, horizon - 1 - i) > pitch.tuning.body_gap) return true;
+      if (i >= tried && staysApart(roll, i, horizon - 1 - i, gap)) return true;
     }
     return true;
   }
 
-  /// The most [m] that the gap after `ticks` can shrink in `more` ticks in which the robot brakes.
-  double mostLost(const Roll& roll, int ticks, int more) const {
-    const double time = more * pitch.tick;
-    const double shift = (roll.fastest() + lengthAtMost(other.velocity)) * time;
-    const double turn = std::abs(roll.yaw) / pitch.half_track * time;
+  /// Whether the `gap` after `ticks` cannot become too small in `more` ticks in which the robot brakes.
+  bool staysApart(const Roll& roll, int ticks, int more, double gap) const {
+    const double time = more * pitch.tick, least = pitch.tuning.body_gap;
     const Vec2 between = other.pose.position + other.velocity * (ticks * pitch.tick) - roll.place;
-    return shift + (lengthAtMost(between) + shift + pitch.robot_half) * turn;
+    const double drives = roll.mostDriven(time), comes = lengthAtMost(other.velocity) * time;
+    // At this distance no heading lets two squares touch, and the other only comes nearer if it drives this
+    // way.
+    const double squares = 2 * std::sqrt(2.0) * pitch.robot_half + 2 * least;
+    const double apart = squares + drives + (dot(between, other.velocity) < 0.0 ? comes : 0.0);
+    if (squaredNorm(between) > apart * apart) return true;
+    const double turn = roll.mostTurned(time) / pitch.half_track, shift = drives + comes;
+    return gap - shift - (lengthAtMost(between) + shift + pitch.robot_half) * turn > least;
   }
 
   /// The gap [m] to the other, summed over the ticks of a twist with the walls in the way: the sooner the
   /// robot leaves, the greater. Gaps above the ball's radius count as that; otherwise arcs that rub along the
   /// other but end farther away would win. It stops early where the sum cannot reach `enough`.
-  double gapsBy(Twist twist, double enough) const {
+  double gapsBy(Twist twist, double enough, const Crowd& thirds) const {
     const double most = pitch.ball_radius;
     Roll roll = start;
     double sum = 0.0;
@@ -85,23 +99,30 @@ struct Body {
       const Vec2 before = roll.place;
       roll.drive(twist);
       roll.place = walled(roll.place, roll.face);
-      if (isBlocked(before, roll)) roll.place = before;
+      if (isBlocked(before, roll, thirds)) roll.place = before;
       sum += std::min(most, gapAfter(roll, i));
     }
     return sum;
   }
 
-  /// Whether a third robot stops the robot that comes from `before`.
-  bool isBlocked(Vec2 before, const Roll& roll) const {
-    const auto blocks = [&](const RobotState& third) {
-      const Vec2 rel = third.pose.position - roll.place;
-      if (&third == &self || &third == &other || squaredNorm(rel) > pitch.bodies * pitch.bodies) return false;
-      if (dot(rel, roll.place - before) <= 0.0) return false;
-      return gapOf(pitch.robot_half, rel, roll.face, math::unit(third.pose.heading)) < 0.0;
-    };
+  /// All robots but the two.
+  Crowd thirds() const {
+    Crowd crowd;
     for (int i = 0; i < picture.seen.team_size; ++i) {
-      if (picture.ownPresent(i) && blocks(picture.own(i))) return true;
-      if (picture.opponentPresent(i) && blocks(picture.opponent(i))) return true;
+      const RobotState &mate = picture.own(i), &opponent = picture.opponent(i);
+      if (picture.ownPresent(i) && &mate != &self && &mate != &other) crowd.add(mate);
+      if (picture.opponentPresent(i) && &opponent != &other) crowd.add(opponent);
+    }
+    return crowd;
+  }
+
+  /// Whether a third robot stops the robot that comes from `before`.
+  bool isBlocked(Vec2 before, const Roll& roll, const Crowd& thirds) const {
+    for (std::size_t i = 0; i < thirds.count; ++i) {
+      const Pose2& third = thirds.robots[i]->pose;
+      const Vec2 rel = third.position - roll.place;
+      if (squaredNorm(rel) > pitch.bodies * pitch.bodies || dot(rel, roll.place - before) <= 0.0) continue;
+      if (gapOf(pitch.robot_half, rel, roll.face, math::unit(third.heading)) < 0.0) return true;
     }
     return false;
   }
@@ -122,12 +143,13 @@ struct Body {
     // Of two equal ways round, the one that the robot faces, so that both hands are alike.
     const Vec2 beside = perp(off) * (dot(start.face, perp(off)) >= 0.0 ? 1.0 : -1.0);
     const double v = pitch.speed;
+    const Crowd in_the_way = thirds();
     Twist best;
     double most = -1e9;
     for (const Twist twist : {Twist{v, 0.0}, Twist{-v, 0.0}, alongHeading(pitch, self, math::angleOf(off), v),
                               alongHeading(pitch, self, math::angleOf(beside), v),
                               alongHeading(pitch, self, math::angleOf(-beside), v), Twist{}}) {
-      const double gaps = gapsBy(twist, most);
+      const double gaps = gapsBy(twist, most, in_the_way);
       if (gaps > most + 1e-9) most = gaps, best = twist;
     }
     if (best.angular != 0.0) return RobotCommand::byTwist(best);
@@ -163,7 +185,7 @@ bool isFar(const Pitch& pitch, const RobotState& self, const RobotState& keeper)
   const double near = 4 * pitch.bodies;  // no robot has time to come from farther
   if (away > near * near) return true;
   const double ways =
-      mostWay(pitch, norm(self.velocity)) + norm(keeper.velocity) * (ticksToRest(pitch) * pitch.tick);
+      mostWay(pitch, norm(self.velocity)) + norm(keeper.velocity) * (pitch.ticks_to_rest * pitch.tick);
   const double apart = ways + pitch.bodies + 2 * pitch.tuning.body_gap;
   return away > apart * apart;
 }

@@ -32,6 +32,8 @@ Pitch::Pitch(const MatchInfo& info, const Tuning& tuned)
       touch(robot_corner + ball_radius),
       bodies(2 * robot_corner),
       around(2 * front),
+      ticks_to_rest(1 + static_cast<int>(std::ceil(speed / (plannedBraking() * tick)))),
+      ticks_to_start(1 + static_cast<int>(std::sqrt(2 * tuning.clearance / acceleration) / tick)),
       stop_time(speed / braking),
       turn_time(timeToTurn(pace, math::kPi / 2)),
       turn_rate(stoppingSpeed(turning, math::kPi / 4)),

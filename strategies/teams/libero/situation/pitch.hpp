@@ -49,10 +49,12 @@ struct Pitch {
   double bodies;  ///< two robots that touch corner to corner: farther apart, no heading lets them touch
   double around;  ///< two robots with the ball between their sides
   /// @}
-  double stop_time;  ///< [s] to stop from top speed
-  double turn_time;  ///< [s] of a quarter turn in place, from rest to rest
-  double turn_rate;  ///< [rad/s] greatest yaw rate of such a turn
-  double creep;      ///< [m/s] speed of a ball that rolls less than its radius before it rests
+  int ticks_to_rest;   ///< until a robot that brakes from its top speed rests, after one tick of any command
+  int ticks_to_start;  ///< in which a robot that stands has moved noticeably
+  double stop_time;    ///< [s] to stop from top speed
+  double turn_time;    ///< [s] of a quarter turn in place, from rest to rest
+  double turn_rate;    ///< [rad/s] greatest yaw rate of such a turn
+  double creep;        ///< [m/s] speed of a ball that rolls less than its radius before it rests
   /// @{ A robot's hit on the ball: what it adds to the ball's velocity.
   double bounce;              ///< share of the face's speed relative to the ball, along the face's normal
   double rub;                 ///< most change along the face, as a share of that
