@@ -76,8 +76,10 @@ Vec2 clearStrikeDirection(const Picture& picture, int robot, const Aim& aim, int
     const double bonus = i == previous ? tuning.keep_price : 0.0;
     // Bodies and walls only add to the cost, so most directions need no look at them.
     if (turn + way - bonus > least + 1e-9) continue;
+    const bool walled = distance(insideWalls(pitch.field, spot, pitch.robot_half), spot) > tuning.clearance;
+    if (walled && turn + way + 2.0 - bonus > least + 1e-9) continue;
     double cost = turn + barred(picture, robot, aim.contact, direction) + way;
-    if (distance(insideWalls(pitch.field, spot, pitch.robot_half), spot) > tuning.clearance) cost += 2.0;
+    if (walled) cost += 2.0;
     cost -= bonus;
     if (cost < least) least = cost, best = i, chosen = direction;
   }
