@@ -59,7 +59,7 @@ class Libero final : public Strategy {
       if (!picture.ownPresent(i)) continue;
       const auto robot = static_cast<std::size_t>(i);
       command.roles[robot] = static_cast<std::uint8_t>(roles_.of(i));
-      command.robots[robot] = play(picture, i);
+      play(picture, i, command.robots[robot]);
     }
     if (observation.wants_drawings) draw(picture, roles_, moves_, command.drawings);
     return command;
@@ -114,22 +114,30 @@ class Libero final : public Strategy {
     return seen.restart != RestartKind::kGoalKick || !seen.restart_is_ours;
   }
 
-  /// The command of one robot: the move of its play book, made legal, or a place for a navigator.
-  RobotCommand play(const Picture& picture, int robot) {
+  /// Sets the command of one robot: the move of its play book, made legal, or a place for a navigator.
+  void play(const Picture& picture, int robot, RobotCommand& command) {
     const auto i = static_cast<std::size_t>(robot);
     moves_[i] = play_book_.decide(roles_.of(robot), picture, robot, memories_[i]);
     const Move& move = moves_[i];
     const bool far = move.place && distance(picture.own(robot).pose.position, *move.place) > pitch_.bodies;
     if (navigators_.empty() || !move.travels || !far) {
-      const RobotCommand command = legal(picture, robot, move.twist, memories_[i].yield);
-      if (command.kind != RobotCommand::Kind::kTwist) return command;
-      return quickTwist(robot_, picture.own(robot), command.twist, picture.seen.dt);
+      command.kind = RobotCommand::Kind::kWheels;
+      command.wheels = wheelsFor(picture, robot, move.twist);
+      return;
     }
     GoTo go_to;
     go_to.position = *move.place;
     go_to.stop = true;
     go_to.avoid_ball = true;
-    return RobotCommand::drivingTo(go_to);
+    command = RobotCommand::drivingTo(go_to);
+  }
+
+  /// The wheel speeds for what is legal of a wanted twist.
+  WheelSpeeds wheelsFor(const Picture& picture, int robot, Twist wanted) {
+    YieldMemory& yield = memories_[static_cast<std::size_t>(robot)].yield;
+    const RobotCommand command = legal(picture, robot, wanted, yield);
+    if (command.kind != RobotCommand::Kind::kTwist) return command.wheels;
+    return quickTwist(robot_, picture.own(robot), command.twist, picture.seen.dt).wheels;
   }
 
   Tuning tuning_;

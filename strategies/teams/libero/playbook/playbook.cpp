@@ -87,20 +87,26 @@ Move PlayBook::decide(Role role, const Picture& picture, int robot, Memory& memo
   memory.shot.now.reset();
   memory.spin.locked = std::max(0.0, memory.spin.locked - picture.seen.dt);
   watchJam(picture, robot, memory.press);
-  if (role == Role::kKeeper) return firstOf(keeper_, picture, robot, memory).value_or(Move{});
-  if (const auto move = firstOf(field_, picture, robot, memory)) return *move;
-  if (role == Role::kSupport) return firstOf(support_, picture, robot, memory).value_or(Move{});
-  return firstOf(striker_, picture, robot, memory).value_or(Move{});
+  Move move;
+  if (role == Role::kKeeper || !takeFirst(field_, picture, robot, memory, move))
+    takeFirst(tableOf(role), picture, robot, memory, move);
+  return move;
 }
 
-std::optional<Move> PlayBook::firstOf(const Table& table, const Picture& picture, int robot, Memory& memory) {
+const PlayBook::Table& PlayBook::tableOf(Role role) const {
+  if (role == Role::kKeeper) return keeper_;
+  return role == Role::kSupport ? support_ : striker_;
+}
+
+bool PlayBook::takeFirst(const Table& table, const Picture& picture, int robot, Memory& memory, Move& move) {
   for (const Skill& skill : table) {
-    if (auto move = skill.decide(picture, robot, memory)) {
-      move->skill = skill.name;
-      return move;
+    if (const auto answer = skill.decide(picture, robot, memory)) {
+      move = *answer;
+      move.skill = skill.name;
+      return true;
     }
   }
-  return std::nullopt;
+  return false;
 }
 
 }  // namespace fulbito::libero

@@ -30,7 +30,10 @@ class PlayBook {
   using Table = std::vector<Skill>;
 
   explicit PlayBook(const std::vector<std::string>& left_out);
-  static std::optional<Move> firstOf(const Table& table, const Picture& picture, int robot, Memory& memory);
+  const Table& tableOf(Role role) const;
+  /// Sets `move` to that of the table's first skill that answers, and returns whether one does. A move is
+  /// large, so it is copied only once.
+  static bool takeFirst(const Table& table, const Picture& picture, int robot, Memory& memory, Move& move);
 
   Table field_, keeper_, striker_, support_;
 };
