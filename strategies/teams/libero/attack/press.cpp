@@ -30,6 +30,19 @@ bool isStandOff(const Picture& picture, Vec2 rel, const Aim& aim) {
   return !picture.pitch.shoves && headOn(picture, rel, aim);
 }
 
+bool touchesFreeBall(const Picture& picture, Vec2 rel) {
+  const double reach = picture.pitch.front + picture.tuning.body_gap;
+  return !picture.pitch.shoves && disputesFreeBall(picture) && picture.ball.now().position.x > 0.0 &&
+         squaredNorm(rel) < reach * reach && rel.x > 0.5 * norm(rel);
+}
+
+Twist holdBall(const Picture& picture, int robot) {
+  const Pitch& pitch = picture.pitch;
+  const Vec2 rel = picture.ballFrom(robot);
+  const Vec2 place = picture.ball.now().position - unitOr(rel, {1.0, 0.0}) * pitch.front;
+  return restAt(pitch, picture.own(robot), place, math::angleOf(rel), pitch.touch);
+}
+
 void watchJam(const Picture& picture, int robot, PressMemory& memory) {
   const double slow = picture.tuning.lies / 2, touch = picture.pitch.touch;
   const bool stand = squaredNorm(picture.ball.now().velocity) < slow * slow &&

@@ -33,8 +33,9 @@ std::optional<Move> volley(const Picture& picture, int robot, Memory& memory) {
   if (picture.pitch.shoves || memory.spin.left > 0.0 ||
       squaredNorm(picture.ball.now().velocity) < rolls * rolls)
     return std::nullopt;
-  // An empty goal needs no run-up, but the first touch.
-  if (isPenalty(picture) || !hasOpponent(picture, true)) return std::nullopt;
+  // Where nobody defends, no goal needs a run-up.
+  if (isPenalty(picture) || (!hasOpponent(picture, true) && !hasOpponent(picture, false)))
+    return std::nullopt;
   const auto run = chosen(picture, robot, left);
   if (!run) return std::nullopt;
   memory.volley = run->time;

@@ -1,3 +1,6 @@
+#include <cmath>
+
+#include "fulbito/detail/math.hpp"
 #include "strategies/teams/libero/attack/press.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
 
@@ -12,6 +15,22 @@ bool contested(const Picture& picture) {
          picture.opponentsNear(picture.ball.now().position, picture.tuning.rival_near) > 0;
 }
 
+/// Whether an opponent near the ball faces it, and does not leave it. Keepers that take a free ball often go
+/// back at once.
+bool isMet(const Picture& picture) {
+  const Tuning& tuning = picture.tuning;
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (!picture.opponentPresent(i)) continue;
+    const RobotState& other = picture.opponent(i);
+    const Vec2 way = picture.ball.now().position - other.pose.position;
+    const double far = norm(way);
+    if (far < tuning.rival_near && dot(other.velocity, way) > -tuning.lies * far &&
+        std::abs(dot(math::unit(other.pose.heading), way)) > math::cos(tuning.turn_in) * far)
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<Move> freeBall(const Picture& picture, int robot, Memory& memory) {
@@ -19,8 +38,12 @@ std::optional<Move> freeBall(const Picture& picture, int robot, Memory& memory) 
   // Where robots cannot shove each other, one beside the ball could only drive it back.
   const bool behind = picture.pitch.shoves || rel.x > 0.5 * norm(rel);
   if (!behind || !disputesFreeBall(picture) || !contested(picture)) return std::nullopt;
-  if (memory.spin.locked <= 0.0 && isStandOff(picture, rel, shotOf(picture, robot, memory.shot).aim))
+  if (memory.spin.locked <= 0.0 &&
+      (touchesFreeBall(picture, rel) || isStandOff(picture, rel, shotOf(picture, robot, memory.shot).aim)))
     return std::nullopt;
+  // A ball that nobody meets would run away from a robot that drives at it.
+  if (!picture.pitch.shoves && picture.ball.now().position.x > 0.0 && !isMet(picture))
+    return Move{.twist = holdBall(picture, robot), .reason = "nobody meets it", .ball = firstTouch(picture)};
   return Move{.twist = pressOn(picture, robot, memory.press),
               .reason = "a free ball is disputed",
               .ball = firstTouch(picture)};

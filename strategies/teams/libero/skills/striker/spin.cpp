@@ -48,6 +48,8 @@ std::optional<Move> spin(const Picture& picture, int robot, Memory& memory) {
   const Vec2 rel = picture.ballFrom(robot), ball = picture.ball.now().position;
   const Aim& aim = shotOf(picture, robot, memory.shot).aim;
   if (isStandOff(picture, rel, aim)) return begin(picture, robot, memory, across(ball), "nobody gives way");
+  if (touchesFreeBall(picture, rel))
+    return begin(picture, robot, memory, across(ball), "a free ball is thrown across");
   if (ball.x <= tuning.spin_from) return std::nullopt;
   if (beside(picture, rel, aim)) return begin(picture, robot, memory, aim.direction, "the ball is beside it");
   if (memory.press.jammed > tuning.jam_time)

@@ -1,4 +1,5 @@
 #include "fulbito/detail/math.hpp"
+#include "strategies/teams/libero/attack/press.hpp"
 #include "strategies/teams/libero/attack/wall_duel.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
@@ -16,13 +17,6 @@ bool holds(const Picture& picture) {
   return !pitch.shoves && picture.ball.now().position.x > pitch.stuck_radius &&
          pitch.stuck_time * pitch.stuck_radius < pitch.half_length * patience &&
          picture.stuck < pitch.stuck_time + patience;
-}
-
-/// Stands with its face at the ball. Robots that brake harder than they speed up are not pushed away, and a
-/// robot that pushed on would creep out of the circle in which a ball counts as stuck.
-Twist hold(const Picture& picture, const RobotState& self, Vec2 rel) {
-  const Vec2 place = picture.ball.now().position - unitOr(rel, {1.0, 0.0}) * picture.pitch.front;
-  return restAt(picture.pitch, self, place, math::angleOf(rel), picture.pitch.touch);
 }
 
 /// Leans on the ball. The point is the place of a robot that holds the ball from the other side. A nearer one
@@ -47,8 +41,9 @@ std::optional<Move> squeeze(const Picture& picture, int robot, Memory& memory) {
       !isFoughtFor(picture, rel, aim, picture.tuning.pushable, picture.tuning.rival_near))
     return std::nullopt;
   const RobotState& self = picture.own(robot);
+  // A robot that pushed on would creep out of the circle in which a ball counts as stuck.
   const bool keeps = holds(picture);
-  return Move{.twist = keeps ? hold(picture, self, rel) : push(picture, self, rel, aim.direction),
+  return Move{.twist = keeps ? holdBall(picture, robot) : push(picture, self, rel, aim.direction),
               .reason = keeps ? "it is held for the free ball" : "an opponent fights for it at a wall",
               .ball = picture.ball.now().position};
 }

@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "fulbito/detail/math.hpp"
 #include "strategies/prediction/foresight.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
@@ -29,8 +31,8 @@ int goals(const char* team, const char* robot) {
 }
 
 /// Whether robot 1 plays a volley at a ball that rolls across, `since` [s] after a restart, with an opponent
-/// at `keeper` [m].
-bool answers(RestartKind restart, double since, Vec2 keeper) {
+/// at `other` [m], if any.
+bool answers(RestartKind restart, double since, std::optional<Vec2> other) {
   const MatchInfo info = test::infoOf(3, "firasim");
   const libero::Pitch pitch(info);
   Observation seen;
@@ -38,7 +40,7 @@ bool answers(RestartKind restart, double since, Vec2 keeper) {
   seen.restart = restart;
   seen.since_restart = since;
   seen.own[1] = test::standingAt({{0.05, -0.35}, 0.0});
-  seen.opponents[0] = test::standingAt({keeper, math::kPi / 2});
+  if (other) seen.opponents[0] = test::standingAt({*other, math::kPi / 2});
   seen.ball = {{0.42, 0.3}, {0.05, -0.5}, {0.05, -0.5}};
   BallPrediction way;
   way.predict(BallCourse(info.field, info.ball, info.physics), seen.ball);
@@ -50,10 +52,11 @@ bool answers(RestartKind restart, double since, Vec2 keeper) {
 
 }  // namespace
 
-TEST_CASE("libero plays volleys at a kept goal, and not at the start of a penalty", "[unit]") {
+TEST_CASE("libero plays volleys against opponents, and not at the start of a penalty", "[unit]") {
   const Vec2 kept{0.7, 0.15}, out{0.2, 0.5};
   CHECK(answers(RestartKind::kFreeBall, 0.8, kept));
-  CHECK_FALSE(answers(RestartKind::kFreeBall, 0.8, out));
+  CHECK(answers(RestartKind::kFreeBall, 0.8, out));
+  CHECK_FALSE(answers(RestartKind::kFreeBall, 0.8, std::nullopt));
   CHECK_FALSE(answers(RestartKind::kPenalty, 0.8, kept));
   CHECK(answers(RestartKind::kPenalty, 3.0, kept));
 }

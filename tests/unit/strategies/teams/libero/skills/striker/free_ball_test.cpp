@@ -112,4 +112,57 @@ TEST_CASE("where robots cannot push each other away, the taker drives on only wh
   CHECK(drivesOn("vsss", {0.36, 0.42}));
 }
 
+TEST_CASE("libero comes gently to a free ball that their keeper leaves", "[unit]") {
+  const MatchInfo info = test::infoOf(3, "firasim");
+  const libero::Pitch pitch(info);
+  const auto speedFor = [&](const char* robot, Vec2 mark, double heading, double leaves) {
+    const libero::Pitch on(test::infoOf(3, robot));
+    Observation seen;
+    seen.own[1] = test::standingAt({mark - Vec2{0.07, 0.0}, 0.0});
+    seen.opponents[0] = test::standingAt({mark + Vec2{0.2, 0.0}, heading});
+    seen.opponents[0].state.velocity = {leaves, 0.0};
+    seen.ball.position = mark;
+    seen.restart = RestartKind::kFreeBall;
+    seen.since_restart = 0.3;
+    libero::BallForecast ball;
+    ball.take(seen.ball, {});
+    libero::Memory memory;
+    const auto move = libero::striker::freeBall({seen, on, ball}, 1, memory);
+    REQUIRE(move);
+    return move->twist.linear;
+  };
+  const Vec2 mark{0.375, 0.4};
+  const double driven = pitch.speed;
+  CHECK(speedFor("firasim", mark, math::kPi, 0.0) == Approx(driven));
+  // It has turned to its goal, or drives back without a turn.
+  CHECK(speedFor("firasim", mark, 2.2, 0.0) < driven / 2);
+  CHECK(speedFor("firasim", mark, math::kPi, 0.4) < driven / 2);
+  // In our half, and where robots push each other away, the ball has to go.
+  CHECK(speedFor("firasim", {-0.375, 0.4}, 2.2, 0.0) == Approx(driven));
+  CHECK(speedFor("vsss", mark, 2.2, 0.0) == Approx(libero::Pitch(test::infoOf(3)).speed));
+}
+
+TEST_CASE("libero throws a free ball at its face in their half, also if no opponent holds it", "[unit]") {
+  const auto spins = [&](const char* robot, double mark, double gap) {
+    const MatchInfo match = test::infoOf(3, robot);
+    const libero::Pitch pitch(match);
+    const auto team = test::liberoIn(match);
+    Observation seen;
+    seen.team_size = 3;
+    seen.own[0] = test::standingAt({{-0.71, 0.0}, 1.57});
+    seen.own[1] = test::standingAt({{mark - pitch.front - gap, 0.4}, 0.0});
+    seen.own[2] = test::standingAt({{0.1, 0.0}, 0.0});
+    seen.opponents[0] = test::standingAt({{mark + 0.2, 0.4}, 2.2});
+    seen.ball.position = {mark, 0.4};
+    seen.restart = RestartKind::kFreeBall;
+    seen.since_restart = 0.5;
+    const Twist taker = test::twistOf(match, team->decide(seen).robots[1]);
+    return taker.angular == Approx(-match.robot.turnAcceleration() / 60.0);
+  };
+  CHECK(spins("firasim", 0.375, 0.003));
+  CHECK_FALSE(spins("firasim", 0.375, 0.02));
+  CHECK_FALSE(spins("firasim", -0.375, 0.003));
+  CHECK_FALSE(spins("vsss", 0.375, 0.003));
+}
+
 }  // namespace fulbito
