@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fulbito/detail/math.hpp"
+#include "strategies/teams/libero/attack/volley.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
 
 namespace fulbito::libero {
@@ -30,10 +31,14 @@ bool isStandOff(const Picture& picture, Vec2 rel, const Aim& aim) {
   return !picture.pitch.shoves && headOn(picture, rel, aim);
 }
 
+bool keeperTookFreeBall(const Picture& picture) {
+  return !picture.pitch.shoves && disputesFreeBall(picture) && picture.ball.now().position.x > 0.0 &&
+         !hasOpponent(picture, true);
+}
+
 bool touchesFreeBall(const Picture& picture, Vec2 rel) {
   const double reach = picture.pitch.front + picture.tuning.body_gap;
-  return !picture.pitch.shoves && disputesFreeBall(picture) && picture.ball.now().position.x > 0.0 &&
-         squaredNorm(rel) < reach * reach && rel.x > 0.5 * norm(rel);
+  return squaredNorm(rel) < reach * reach && rel.x > 0.5 * norm(rel) && keeperTookFreeBall(picture);
 }
 
 Twist holdBall(const Picture& picture, int robot) {

@@ -33,7 +33,10 @@ bool headOn(const Picture& picture, Vec2 rel, const Aim& aim);
 /// Whether the robots of such a duel cannot push each other away, so that only a spin moves the ball.
 bool isStandOff(const Picture& picture, Vec2 rel, const Aim& aim);
 
-/// Whether a robot behind a free ball in their half touches it, so that a spin throws it across.
+/// Whether nobody keeps their goal at a free ball in their half, where robots cannot shove each other.
+bool keeperTookFreeBall(const Picture& picture);
+
+/// Whether a robot behind such a ball touches it, so that a spin throws it across.
 bool touchesFreeBall(const Picture& picture, Vec2 rel);
 
 /// Stands with its face at the ball. Robots that brake harder than they speed up are not pushed away, and the

@@ -30,7 +30,8 @@ struct CommandsSeen : MatchObserver {
 }  // namespace
 
 TEST_CASE("a match ends, and commands stay in force, however bad the network is", "[unit]") {
-  const auto [loss, mode] = GENERATE(table<double, const char*>({{0.0, "lockstep=on,answer=0.01"},
+  // A client that loses nothing always answers, however busy the machine is.
+  const auto [loss, mode] = GENERATE(table<double, const char*>({{0.0, "lockstep=on,answer=2"},
                                                                  {0.1, "lockstep=on,answer=0.01"},
                                                                  {0.5, "lockstep=on,answer=0.01"},
                                                                  {0.5, "speed=20"}}));

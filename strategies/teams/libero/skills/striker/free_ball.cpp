@@ -42,7 +42,7 @@ std::optional<Move> freeBall(const Picture& picture, int robot, Memory& memory) 
       (touchesFreeBall(picture, rel) || isStandOff(picture, rel, shotOf(picture, robot, memory.shot).aim)))
     return std::nullopt;
   // A ball that nobody meets would run away from a robot that drives at it.
-  if (!picture.pitch.shoves && picture.ball.now().position.x > 0.0 && !isMet(picture))
+  if (keeperTookFreeBall(picture) && !isMet(picture))
     return Move{.twist = holdBall(picture, robot), .reason = "nobody meets it", .ball = firstTouch(picture)};
   return Move{.twist = pressOn(picture, robot, memory.press),
               .reason = "a free ball is disputed",

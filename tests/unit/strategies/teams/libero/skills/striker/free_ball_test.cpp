@@ -142,8 +142,8 @@ TEST_CASE("libero comes gently to a free ball that their keeper leaves", "[unit]
   CHECK(speedFor("vsss", mark, 2.2, 0.0) == Approx(libero::Pitch(test::infoOf(3)).speed));
 }
 
-TEST_CASE("libero throws a free ball at its face in their half, also if no opponent holds it", "[unit]") {
-  const auto spins = [&](const char* robot, double mark, double gap) {
+TEST_CASE("libero throws a free ball that their keeper took, also if no opponent holds it", "[unit]") {
+  const auto spins = [](const char* robot, double mark, double gap, bool kept = false) {
     const MatchInfo match = test::infoOf(3, robot);
     const libero::Pitch pitch(match);
     const auto team = test::liberoIn(match);
@@ -153,6 +153,7 @@ TEST_CASE("libero throws a free ball at its face in their half, also if no oppon
     seen.own[1] = test::standingAt({{mark - pitch.front - gap, 0.4}, 0.0});
     seen.own[2] = test::standingAt({{0.1, 0.0}, 0.0});
     seen.opponents[0] = test::standingAt({{mark + 0.2, 0.4}, 2.2});
+    if (kept) seen.opponents[1] = test::standingAt({{0.71, 0.0}, 1.57});
     seen.ball.position = {mark, 0.4};
     seen.restart = RestartKind::kFreeBall;
     seen.since_restart = 0.5;
@@ -161,6 +162,7 @@ TEST_CASE("libero throws a free ball at its face in their half, also if no oppon
   };
   CHECK(spins("firasim", 0.375, 0.003));
   CHECK_FALSE(spins("firasim", 0.375, 0.02));
+  CHECK_FALSE(spins("firasim", 0.375, 0.003, true));
   CHECK_FALSE(spins("firasim", -0.375, 0.003));
   CHECK_FALSE(spins("vsss", 0.375, 0.003));
 }
