@@ -27,6 +27,8 @@ struct BallCourse {
 /// (docs/models.md).
 class BallPrediction {
  public:
+  static constexpr double kHorizon = 3.0;  ///< [s] how far a prediction reaches by default
+
   /// The time and place at which the ball crosses a line.
   struct Crossing {
     double time = 0.0;  ///< [s] from now
@@ -37,7 +39,7 @@ class BallPrediction {
   /// Predicts the motion for the next `horizon` [s]; after that the predicted ball stays where it is.
   /// `ball.spin` must be valid: use the spin of `BallTracker`, or the velocity for a rolling ball. Spin 0
   /// means that the ball slides.
-  void predict(const BallCourse& course, const BallState& ball, double horizon = 3.0);
+  void predict(const BallCourse& course, const BallState& ball, double horizon = kHorizon);
 
   Vec2 positionAt(double t) const;   ///< [m] `t` seconds from now, t >= 0
   Vec2 velocityAt(double t) const;   ///< [m/s]

@@ -45,7 +45,7 @@ class Foresight {
  public:
   Foresight() = default;
   /// `horizon` [s]: for how long `ball` is predicted, longer than observations are old.
-  explicit Foresight(const MatchInfo& info, double horizon = 3.0);
+  explicit Foresight(const MatchInfo& info, double horizon = BallPrediction::kHorizon);
   /// Takes a tick's observation and returns it as of now. Valid until the next call, or as long as `seen`.
   const Observation& update(const Observation& seen);
   /// Whether observations are noisy or old; otherwise `update` returns them as they are.
@@ -69,7 +69,7 @@ class Foresight {
   Estimator estimator_;
   BallTracker tracker_;
   BallPrediction prediction_;
-  double horizon_ = 3.0;  ///< [s]
+  double horizon_ = BallPrediction::kHorizon;  ///< [s]
   BallState ball_;
   double last_since_restart_ = 1e9;
   bool play_began_ = false;

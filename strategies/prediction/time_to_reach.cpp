@@ -54,8 +54,14 @@ double foldedAngle(double sine, double cosine) {
   return s < c ? arc(s / c) : math::kPi / 2 - arc(c / s);
 }
 
+Runner::Runner(const RobotState& robot)
+    : position(robot.pose.position),
+      facing(math::unit(robot.pose.heading)),
+      velocity(robot.velocity),
+      speed(norm(robot.velocity)) {}
+
 double timeToReach(const RobotPace& pace, const RobotState& robot, Vec2 target) {
-  return timeToReach(pace, {robot.pose.position, math::unit(robot.pose.heading), robot.velocity}, target);
+  return timeToReach(pace, Runner(robot), target);
 }
 
 double timeToReach(const RobotPace& pace, const Runner& robot, Vec2 target) {

@@ -39,6 +39,9 @@ struct Runner {
   Vec2 position;  ///< [m]
   Vec2 facing;    ///< unit vector of its heading
   Vec2 velocity;  ///< [m/s]
+  double speed;   ///< [m/s]
+
+  explicit Runner(const RobotState& robot);
 };
 
 /// @{ Time [s] that a robot needs to `target` (docs/skills.md). It turns its nearer end toward the target and

@@ -47,7 +47,7 @@ double distanceToArea(const FieldGeometry& field, Vec2 p, bool own) {
 
 bool isNearArea(const FieldGeometry& field, Vec2 p, bool own, double distance) {
   const Vec2 seen = intoGoalFrame(field, sideOf(own), p);
-  return !isBeyond(field, seen, distance) && distanceTo(goalAreaOf(field), seen) < distance;
+  return !isBeyond(field, seen, distance) && distanceToArea(field, p, own) < distance;
 }
 
 }  // namespace fulbito

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fulbito/detail/math.hpp"
-
 namespace fulbito {
 namespace {
 
@@ -52,7 +50,7 @@ std::optional<Interception> intercept(const BallPrediction& ball, const RobotPac
                                       const RobotState& robot, const InterceptionRequest& request) {
   constexpr double kLeastStep = 1.0 / 60.0, kCloseEnough = 0.01;  // [s]
   constexpr int kMaxSteps = 24;
-  const Runner runner{robot.pose.position, math::unit(robot.pose.heading), robot.velocity};
+  const Runner runner(robot);
   const auto meeting = [&](double t) -> std::optional<Interception> {
     if (t > request.horizon) return std::nullopt;
     const Vec2 place = ball.positionAt(t);

@@ -74,13 +74,11 @@ Vec2 clearStrikeDirection(const Picture& picture, int robot, const Aim& aim, int
     const Vec2 spot = aim.contact - direction * pitch.front;
     const double turn = tuning.turn_price * tuning.turn_in * std::abs(kTurns[i]), way = distance(self, spot);
     const double bonus = i == previous ? tuning.keep_price : 0.0;
-    // Bodies and walls only add to the cost, so most directions need no look at them.
-    if (turn + way - bonus > least + 1e-9) continue;
     const bool walled = distance(insideWalls(pitch.field, spot, pitch.robot_half), spot) > tuning.clearance;
-    if (walled && turn + way + 2.0 - bonus > least + 1e-9) continue;
-    double cost = turn + barred(picture, robot, aim.contact, direction) + way;
-    if (walled) cost += 2.0;
-    cost -= bonus;
+    const double wall = walled ? 2.0 : 0.0;
+    // Bodies only add to the cost, so most directions need no look at them.
+    if (turn + way + wall - bonus > least + 1e-9) continue;
+    const double cost = turn + barred(picture, robot, aim.contact, direction) + way + wall - bonus;
     if (cost < least) least = cost, best = i, chosen = direction;
   }
   previous = best;

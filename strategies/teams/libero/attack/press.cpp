@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "fulbito/detail/math.hpp"
-#include "strategies/teams/libero/attack/volley.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
 
 namespace fulbito::libero {
@@ -33,7 +32,7 @@ bool isStandOff(const Picture& picture, Vec2 rel, const Aim& aim) {
 
 bool keeperTookFreeBall(const Picture& picture) {
   return !picture.pitch.shoves && disputesFreeBall(picture) && picture.ball.now().position.x > 0.0 &&
-         !hasOpponent(picture, true);
+         !picture.hasOpponent(true);
 }
 
 bool touchesFreeBall(const Picture& picture, Vec2 rel) {

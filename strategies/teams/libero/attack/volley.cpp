@@ -6,7 +6,6 @@
 
 #include "fulbito/detail/math.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
-#include "strategies/skills/area_projection.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -61,16 +60,6 @@ double gapToOpponents(const Picture& picture, const Flight& flight, double wait,
   return least;
 }
 
-/// A robot that may run at the ball.
-struct Candidate {
-  Runner runner;
-  double speed;  // [m/s]
-
-  explicit Candidate(const RobotState& robot)
-      : runner{robot.pose.position, math::unit(robot.pose.heading), robot.velocity},
-        speed(norm(robot.velocity)) {}
-};
-
 /// What a wait of `spare` [s] costs [m]: the way that opponents drive in it.
 double priceOf(const Picture& picture, double spare) {
   return wayFromRest(picture.pitch.pace, std::max(0.0, spare));
@@ -78,12 +67,11 @@ double priceOf(const Picture& picture, double spare) {
 
 /// The run of `self` that meets the ball at `time` [s] from now, if its room less the price of its wait may
 /// be more than `most` [m].
-std::optional<Volley> runAt(const Picture& picture, const Candidate& robot, double time, double most) {
+std::optional<Volley> runAt(const Picture& picture, const Runner& self, double time, double most) {
   const Pitch& pitch = picture.pitch;
-  const Runner& self = robot.runner;
   const Vec2 ball = picture.ball.at(time), way = ball - self.position;
   if (way.x <= 0.0) return std::nullopt;
-  const double farthest = farthestIn(pitch.pace, robot.speed, time + BallForecast::kStep) + pitch.front;
+  const double farthest = farthestIn(pitch.pace, self.speed, time + BallForecast::kStep) + pitch.front;
   if (squaredNorm(way) > farthest * farthest) return std::nullopt;
   const double length = norm(way), run = length - pitch.front;
   if (run < 0.0) return std::nullopt;
@@ -116,23 +104,14 @@ Hit hitOf(const Pitch& pitch, Vec2 rolling, Vec2 ahead, double speed) {
   return {rolling + change, rolling + change * pitch.roll_keep};
 }
 
-bool hasOpponent(const Picture& picture, bool in_area) {
-  for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (picture.opponentPresent(i) &&
-        isInArea(picture.pitch.field, picture.opponent(i).pose.position, false) == in_area)
-      return true;
-  }
-  return false;
-}
-
-double leastRoom(const Picture& picture) { return hasOpponent(picture, false) ? -picture.pitch.front : 0.0; }
+double leastRoom(const Picture& picture) { return picture.hasOpponent(false) ? -picture.pitch.front : 0.0; }
 
 std::optional<Volley> volleyAt(const Picture& picture, int robot, double time) {
-  return runAt(picture, Candidate(picture.own(robot)), time, std::numeric_limits<double>::lowest());
+  return runAt(picture, Runner(picture.own(robot)), time, std::numeric_limits<double>::lowest());
 }
 
 std::optional<Volley> bestVolley(const Picture& picture, int robot) {
-  const Candidate self(picture.own(robot));
+  const Runner self(picture.own(robot));
   std::optional<Volley> best;
   double most = leastRoom(picture);
   for (int i = 0; i < BallForecast::kSteps; ++i) {

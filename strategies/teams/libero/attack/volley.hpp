@@ -26,9 +26,6 @@ struct Hit {
 /// `rolling` [m/s]. The models of robot and ball give bounce, friction and spin.
 Hit hitOf(const Pitch& pitch, Vec2 rolling, Vec2 ahead, double speed);
 
-/// Whether an opponent is in its own area, or one is outside it.
-bool hasOpponent(const Picture& picture, bool in_area);
-
 /// The least gap [m] of a run that is worth it. An opponent that just reaches the ball's way with its face
 /// will hardly stop the ball, since it does not know that way before the hit. So only one whose middle gets
 /// there in time counts. Alone against a keeper, nobody takes the ball from a robot that waits for a gap.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "fulbito/detail/math.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
 
 namespace fulbito::libero {
@@ -17,12 +16,6 @@ Vec2 strikePoint(const Pitch& pitch, Vec2 ball) {
 struct Chase {
   const Picture& picture;
   Runner runner;
-  double speed;  // [m/s]
-
-  Chase(const Picture& seen, const RobotState& robot)
-      : picture(seen),
-        runner{robot.pose.position, math::unit(robot.pose.heading), robot.velocity},
-        speed(norm(robot.velocity)) {}
 
   static double time(int i) { return i * BallForecast::kStep; }
   /// Time [s] that the robot needs to the ball of step `i`.
@@ -38,7 +31,7 @@ struct Chase {
   bool isFar(int i) const { return !isWithin(picture.pitch.speed * time(i) + picture.pitch.around, i); }
   /// Whether the robot is late there at any heading, which takes less time to tell than by how much.
   bool isLate(int i) const {
-    return !isWithin(farthestIn(picture.pitch.pace, speed, time(i)) + picture.pitch.robot_half, i);
+    return !isWithin(farthestIn(picture.pitch.pace, runner.speed, time(i)) + picture.pitch.robot_half, i);
   }
 };
 
@@ -49,7 +42,7 @@ Interception interception(const Picture& picture, const RobotState& robot) {
     const Vec2 ball = picture.ball.sample(0);
     return {timeToReach(picture.pitch.pace, robot, strikePoint(picture.pitch, ball)), ball};
   }
-  const Chase chase(picture, robot);
+  const Chase chase{picture, Runner(robot)};
   double late = 0.0;  // [s] by which the robot is too late at the previous step
   int unknown = -1;   // that step, if it is not known yet by how much; else -1
   for (int i = 0; i <= BallForecast::kSteps; i += 2) {

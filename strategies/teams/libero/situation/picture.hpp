@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "strategies/skills/area_projection.hpp"
 #include "strategies/teams/libero/situation/ball.hpp"
 #include "strategies/teams/libero/situation/pitch.hpp"
 
@@ -48,6 +49,14 @@ struct Picture {
       if (opponentPresent(i) && squaredNorm(opponent(i).pose.position - place) < radius * radius) ++near;
     }
     return near;
+  }
+  /// Whether an opponent is in its own area, or one is outside it.
+  bool hasOpponent(bool in_area) const {
+    for (int i = 0; i < seen.team_size; ++i) {
+      if (opponentPresent(i) && isInArea(pitch.field, opponent(i).pose.position, false) == in_area)
+        return true;
+    }
+    return false;
   }
 };
 

@@ -43,14 +43,16 @@ TEST_CASE("no target beyond the farthest way is reached in time", "[unit]") {
   for (const char* name : {"vsss", "firasim"}) {
     const RobotPace pace((*loadRobot(name)).robot);
     for (int run = 0; run < 5000; ++run) {
-      const Runner robot{
-          {}, math::unit(rng.uniform(-math::kPi, math::kPi)), test::drawVector(rng, 0.0, 1.2 * pace.speed)};
+      RobotState robot;
+      robot.pose.heading = rng.uniform(-math::kPi, math::kPi);
+      robot.velocity = test::drawVector(rng, 0.0, 1.2 * pace.speed);
       const Vec2 target = test::drawVector(rng, 0.0, run % 2 == 0 ? 0.01 : 1.5);
       CAPTURE(name, run);
       REQUIRE(norm(target) <= farthestIn(pace, norm(robot.velocity), timeToReach(pace, robot, target)));
     }
     // A robot at speed that faces its target drives that way.
-    const Runner straight{{}, {1.0, 0.0}, {0.5 * pace.speed, 0.0}};
+    RobotState straight;
+    straight.velocity.x = 0.5 * pace.speed;
     const double time = timeToReach(pace, straight, {0.8, 0.0});
     CHECK(farthestIn(pace, 0.5 * pace.speed, time) == Approx(0.8).margin(1e-5));
   }
