@@ -18,8 +18,7 @@ Result<void> addStart(const std::string& file, MatchConfig& config) {
   if (file.empty()) return {};
   auto start = loadStartState(file, config);
   if (!start) return tl::unexpected<Error>(start.error());
-  config.start = start->placement;
-  config.scoreboard = start->scoreboard;
+  setStart(config, *start);
   return {};
 }
 

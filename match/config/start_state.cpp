@@ -35,12 +35,22 @@ Schema robotSchema(StartRobot& robot) {
            false}};
 }
 
-Schema boardSchema(Scoreboard& board) {
-  return {
-      {"blue", &board.score[0], 0, 1000, "", "goals so far", false},
-      {"yellow", &board.score[1], 0, 1000, "", "goals so far", false},
-      {"period", &board.period, 1, 3, "", "1, 2: halves; 3: overtime", false},
-      {"play_seconds", &board.play_seconds, 0.0, kMaxPlay, "s", "elapsed play time in the period", false}};
+Choice restartChoice(RestartKind& restart) {
+  std::vector<std::string> names;
+  for (int i = 0; i <= static_cast<int>(RestartKind::kGiven); ++i) {
+    names.emplace_back(nameOf(static_cast<RestartKind>(i)));
+  }
+  return choice(restart, std::move(names));
+}
+
+Schema matchSchema(StartState& start) {
+  Scoreboard& board = start.scoreboard;
+  return {{"blue", &board.score[0], 0, 1000, "", "goals so far", false},
+          {"yellow", &board.score[1], 0, 1000, "", "goals so far", false},
+          {"period", &board.period, 1, 3, "", "1, 2: halves; 3: overtime", false},
+          {"play_seconds", &board.play_seconds, 0.0, kMaxPlay, "s", "elapsed play time in the period", false},
+          {"restart", restartChoice(start.restart), 0, 0, "", "what the teams take the start for", false},
+          {"team", choice(start.team, {"blue", "yellow"}), 0, 0, "", "that takes the restart", false}};
 }
 
 Result<void> readRobots(const ConfigDocument& document, Placement& placement) {
@@ -68,7 +78,7 @@ Result<StartState> read(const ConfigDocument& document) {
   StartState start;
   for (const auto& done :
        {document.read("ball", ballSchema(start.placement), true), readRobots(document, start.placement),
-        document.read("match", boardSchema(start.scoreboard), false)}) {
+        document.read("match", matchSchema(start), false)}) {
     if (!done) return tl::unexpected<Error>(done.error());
   }
   return start;
@@ -153,7 +163,7 @@ Result<StartState> loadStartState(const std::string& file, const MatchConfig& ma
 
 std::string toToml(const StartState& start) {
   StartState copy = start;
-  std::string text = fmt::format("[match]\n{}\n[ball]\n{}", tableText(boardSchema(copy.scoreboard), false),
+  std::string text = fmt::format("[match]\n{}\n[ball]\n{}", tableText(matchSchema(copy), false),
                                  tableText(ballSchema(copy.placement), false));
   for (const TeamId team : kTeams) {
     for (std::size_t i = 0; i < kMaxTeamSize; ++i) {
@@ -164,6 +174,16 @@ std::string toToml(const StartState& start) {
     }
   }
   return text;
+}
+
+void setStart(MatchConfig& match, const StartState& start) {
+  match.start = start.placement;
+  match.scoreboard = start.scoreboard;
+  match.opening.reset();
+  if (start.restart == RestartKind::kGiven) return;
+  match.opening.emplace();
+  match.opening->kind = start.restart;
+  match.opening->team = start.team;
 }
 
 }  // namespace fulbito

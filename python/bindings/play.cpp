@@ -74,9 +74,7 @@ class Play {
     MatchConfig config = configOf(options_);
     config.teams = {teamFrom(blue, catalogue, failure_), teamFrom(yellow, catalogue, failure_)};
     if (!options_.start.empty()) {
-      StartState start = valueOf(loadStartState(options_.start, config));
-      config.start = std::move(start.placement);
-      config.scoreboard = std::move(start.scoreboard);
+      setStart(config, valueOf(loadStartState(options_.start, config)));
     }
     std::optional<Result<std::string>> json;
     {

@@ -145,6 +145,22 @@ TEST_CASE("a match begins from a given state", "[cli]") {
   CHECK(json["stats"]["play_s"].get<double>() == Approx(2.0).margin(0.1));
 }
 
+TEST_CASE("a match begins from a free ball that a user placed", "[cli]") {
+  const Sandbox box;
+  box.write("start.toml",
+            "[ball]\nposition = [0.375, 0.4]\n"
+            "[[robot]]\nteam = \"blue\"\nnumber = 1\nposition = [0.14, 0.4]\n"
+            "[[robot]]\nteam = \"yellow\"\nnumber = 1\nposition = [0.61, 0.4]\nheading_deg = 180\n"
+            "[match]\nrestart = \"free-ball\"\nteam = \"blue\"\n");
+  const Output output =
+      box.run("match libero chaser --half-seconds 5 --start start.toml --json --record free.fbr");
+  REQUIRE(output.code == 0);
+  const Json json = Json::parse(output.out);
+  CHECK(json["events"][0]["kind"] == "free-ball");
+  CHECK(json["events"][0]["team"] == "blue");
+  CHECK(box.run("replay verify free.fbr").code == 0);
+}
+
 TEST_CASE("a series plays swapped pairs and says what they show", "[cli]") {
   const Sandbox box;
   const Json a = Json::parse(box.works("match chaser idle --half-seconds 3 -n 3 --json").out);

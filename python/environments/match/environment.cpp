@@ -89,8 +89,7 @@ Result<MatchConfig> MatchEnvironment::configOf(const EpisodeStart& start) const 
   if (!start.text.empty()) {
     auto state = parseStartState(start.text, "start");
     if (!state) return tl::unexpected<Error>(state.error());
-    config.start = state->placement;
-    config.scoreboard = state->scoreboard;
+    setStart(config, *state);
   } else if (task_.start == StartForm::kRandom) {
     auto placement = randomPlacement(config, start.seed);
     if (!placement) return tl::unexpected<Error>(placement.error());

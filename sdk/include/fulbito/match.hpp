@@ -88,13 +88,17 @@ struct MatchConfig {
 
 /// A placement from which a match starts, with score and time.
 struct StartState {
-  Placement placement;    ///< poses of all robots, and the ball
-  Scoreboard scoreboard;  ///< score and clock
+  Placement placement;                        ///< poses of all robots, and the ball
+  Scoreboard scoreboard;                      ///< score and clock
+  RestartKind restart = RestartKind::kGiven;  ///< what the teams and the referee take the start for
+  TeamId team = TeamId::kBlue;                ///< takes that restart
 };
 
 /// Reads a start state. Positions are in the world frame; blue defends the goal at -x. Tables:
 /// [ball] position (required), velocity; any number of [[robot]] team = "blue" | "yellow", number,
-/// position (all required), heading or heading_deg; [match] blue, yellow (score), period, play_seconds.
+/// position (all required), heading or heading_deg; [match] blue, yellow (score), period, play_seconds,
+/// restart
+/// (`nameOf(RestartKind)`), team (takes it).
 /// Unlisted robots are not on the field. Errors: kIo; kBadInput as `file:line: table.key ...`.
 Result<StartState> loadStartState(const std::string& file);
 
@@ -107,6 +111,9 @@ Result<StartState> parseStartState(std::string_view text, const std::string& ori
 
 /// A TOML file that `parseStartState` reads back to the same bits.
 std::string toToml(const StartState& start);
+
+/// Lets the match begin from that state: sets its `start`, `opening` and `scoreboard`.
+void setStart(MatchConfig& match, const StartState& start);
 
 /// One completed tick of a match, for observers. Views are valid during the call only.
 struct MatchTick {

@@ -59,6 +59,31 @@ TEST_CASE("a start state is read as written, and written as read", "[unit]") {
   CHECK(again->scoreboard.play_seconds == 12.5);
 }
 
+TEST_CASE("a start state says which restart it is, and for whom", "[unit]") {
+  const std::string ball = "[ball]\nposition = [0.375, 0.4]\n";
+  const auto plain = parseStartState(ball, "s.toml");
+  REQUIRE(plain);
+  CHECK(plain->restart == RestartKind::kGiven);
+  const auto start =
+      parseStartState(ball + "[match]\nrestart = \"free-ball\"\nteam = \"yellow\"\n", "s.toml");
+  REQUIRE(start);
+  CHECK(start->restart == RestartKind::kFreeBall);
+  CHECK(start->team == TeamId::kYellow);
+  CHECK(toToml(*parseStartState(toToml(*start), "again")) == toToml(*start));
+  CHECK(refusal(ball + "[match]\nrestart = \"throw-in\"\n").starts_with("s.toml:4: match.restart"));
+  CHECK(refusal(ball + "[match]\nteam = \"red\"\n").starts_with("s.toml:4: match.team"));
+
+  MatchConfig match = test::shortMatch("chaser", "chaser", 5.0);
+  setStart(match, *start);
+  REQUIRE(match.opening);
+  CHECK(match.opening->kind == RestartKind::kFreeBall);
+  CHECK(match.opening->team == TeamId::kYellow);
+  REQUIRE(match.start);
+  CHECK(match.start->ball == Vec2{0.375, 0.4});
+  setStart(match, *plain);
+  CHECK_FALSE(match.opening);
+}
+
 TEST_CASE("a start state comes from a file", "[unit]") {
   const test::ScratchFolder folder;
   const auto start = loadStartState(folder.write("s.toml", kText));
