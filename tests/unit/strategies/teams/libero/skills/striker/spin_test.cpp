@@ -1,4 +1,6 @@
-#include "strategies/teams/libero/playbook/skills.hpp"
+#include <string>
+
+#include "strategies/teams/libero/playbook/playbook.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
@@ -33,6 +35,26 @@ TEST_CASE("robots that cannot push each other away spin: past their goal, or awa
     CHECK(side * spins("firasim", {0.55, 0.0}, {0.0, -side * 0.06}, {0.3, 0.0}) < 0.0);
     CHECK(spins("firasim", {0.3, 0.0}, {0.0, -side * 0.06}, {0.3, 0.0}) == 0.0);
   }
+}
+
+TEST_CASE("libero's striker answers a stand-off in its own half before it blocks", "[unit]") {
+  const auto reason = [](const char* model) {
+    const libero::Pitch pitch(test::infoOf(3, model));
+    Observation seen;
+    seen.team_size = 3;
+    seen.restart = RestartKind::kFreeBall;
+    seen.since_restart = 10.0;
+    seen.own[1] = test::standingAt({{-0.36, 0.2}, 0.0});
+    seen.opponents[0] = test::standingAt({{-0.24, 0.2}, math::kPi});
+    seen.ball.position = {-0.3, 0.2};
+    libero::BallForecast ball;
+    ball.take(seen.ball, {});
+    libero::Memory memory;
+    return std::string(
+        libero::PlayBook().decide(libero::Role::kStriker, {seen, pitch, ball}, 1, memory).reason);
+  };
+  CHECK(reason("firasim") == "nobody gives way");
+  CHECK(reason("vsss") == "an opponent is about to dribble at our goal");
 }
 
 }  // namespace fulbito
