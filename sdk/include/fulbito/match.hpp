@@ -97,8 +97,7 @@ struct StartState {
 /// Reads a start state. Positions are in the world frame; blue defends the goal at -x. Tables:
 /// [ball] position (required), velocity; any number of [[robot]] team = "blue" | "yellow", number,
 /// position (all required), heading or heading_deg; [match] blue, yellow (score), period, play_seconds,
-/// restart
-/// (`nameOf(RestartKind)`), team (takes it).
+/// restart (a name of `nameOf(RestartKind)`), team (that takes it).
 /// Unlisted robots are not on the field. Errors: kIo; kBadInput as `file:line: table.key ...`.
 Result<StartState> loadStartState(const std::string& file);
 
