@@ -6,13 +6,13 @@ using namespace fulbito::test;
 
 TEST_CASE("drill --without measures what skills are worth", "[cli]") {
   const Sandbox box;
-  const Output text = box.run("drill libero --without press,spin --drill 13 --trials 8");
+  const Output text = box.run("drill libero --without race,spin --drill 13 --trials 8");
   CHECK(text.code == 0);
   CHECK(text.out.starts_with("## What skills of libero are worth (seed 1, robot vsss, physics standard)\n"));
-  const Output json = box.run("drill libero:without=spin --without press --drill 13 --trials 8 --json");
+  const Output json = box.run("drill libero:without=spin --without race --drill 13 --trials 8 --json");
   const Json report = Json::parse(json.out);
   CHECK(report["team"] == "libero:without=spin");
-  CHECK(report["skills"].at(0)["team"] == "libero:without=spin+press");
+  CHECK(report["skills"].at(0)["team"] == "libero:without=spin+race");
   CHECK(report["skills"].at(0)["drills"].at(0)["count"] == 8);
 }
 
@@ -24,11 +24,11 @@ TEST_CASE("drill --without refuses what it cannot measure", "[cli]") {
     CHECK(output.code == 2);
     CHECK(contains(output.err, message));
   };
-  refused("chaser --without press", "chaser has no list of skills; these teams have one: libero");
-  refused("libero --without pres", "libero has no skill 'pres'. Did you mean 'press'?");
+  refused("chaser --without race", "chaser has no list of skills; these teams have one: libero");
+  refused("libero --without squeez", "libero has no skill 'squeez'. Did you mean 'squeeze'?");
   refused("libero --without strike", "without=strike");  // the striker cannot do without it
-  refused("libero classic --without press", "--without: works with one team only");
-  refused("libero --without press --check", "--check");
+  refused("libero classic --without race", "--without: works with one team only");
+  refused("libero --without race --check", "--check");
 }
 
 TEST_CASE("list teams says what sparring teams are for", "[cli]") {

@@ -96,7 +96,7 @@ TEST_CASE("docs/results-format.md names every key that is printed as JSON", "[cl
   }
   expect("tune random --half-seconds 2 --iterations 1 --pairs 1 --final-pairs 1 --json");
   expect("drill chaser --drill 3,10 --trials 4 --json");
-  expect("drill libero --drill 3 --trials 4 --without press --json");
+  expect("drill libero --drill 3 --trials 4 --without race --json");
   expect("check-team chaser --quick --json");
   expect("serve --no-referee --seconds 0.1 --interface 127.0.0.1 --port-base 19871 --json");
   for (const std::string file : {"a", "t", "cut"}) expect("replay info " + file + ".fbr --json");

@@ -19,15 +19,12 @@ Vec2 firstTouch(const Picture& picture) {
   return ball - Vec2{0.0, std::copysign(picture.pitch.ball_radius, ball.y)};
 }
 
-bool headOn(const Picture& picture, Vec2 rel, const Aim& aim) {
+bool isStandOff(const Picture& picture, Vec2 rel, const Aim& aim) {
   const double near = norm(rel);
-  if (aim.wall || near > picture.pitch.touch || dot(rel, aim.direction) < 0.5 * near) return false;
+  if (picture.pitch.shoves || aim.wall || near > picture.pitch.touch || dot(rel, aim.direction) < 0.5 * near)
+    return false;
   const Vec2 opposite = picture.ball.now().position + unitOr(rel, {}) * picture.pitch.front;
   return picture.opponentsNear(opposite, picture.pitch.ball_radius + picture.tuning.clearance) > 0;
-}
-
-bool isStandOff(const Picture& picture, Vec2 rel, const Aim& aim) {
-  return !picture.pitch.shoves && headOn(picture, rel, aim);
 }
 
 bool keeperTookFreeBall(const Picture& picture) {

@@ -27,10 +27,8 @@ void watchJam(const Picture& picture, int robot, PressMemory& memory);
 Twist pressOn(const Picture& picture, int robot, PressMemory& memory);
 
 /// Whether an opponent presses from the other side against the ball that the robot pushes roughly in the
-/// wanted direction, in the open field. `rel`: from the robot to the ball [m].
-bool headOn(const Picture& picture, Vec2 rel, const Aim& aim);
-
-/// Whether the robots of such a duel cannot push each other away, so that only a spin moves the ball.
+/// wanted direction, in the open field, and neither can push the other away, so that only a spin moves the
+/// ball. `rel`: from the robot to the ball [m].
 bool isStandOff(const Picture& picture, Vec2 rel, const Aim& aim);
 
 /// Whether nobody keeps their goal at a free ball in their half, where robots cannot shove each other.

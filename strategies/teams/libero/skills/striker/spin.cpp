@@ -25,8 +25,7 @@ Vec2 across(Vec2 ball) { return {0.0, std::copysign(1.0, -ball.x * ball.y)}; }
 
 /// Whether the ball is beside a robot that would take long to drive round it.
 bool beside(const Picture& picture, Vec2 rel, const Aim& aim) {
-  return !picture.pitch.shoves && !aim.wall && norm(rel) < picture.pitch.touch &&
-         std::abs(dot(unitOr(rel, {}), aim.direction)) < 0.5;
+  return !aim.wall && norm(rel) < picture.pitch.touch && std::abs(dot(unitOr(rel, {}), aim.direction)) < 0.5;
 }
 
 /// Whether the ball lies at a wall beside the robot or behind it.
@@ -42,8 +41,9 @@ std::optional<Move> spinOn(const Picture& picture, int /*robot*/, Memory& memory
   return turning(picture, memory.spin, "the spin is not over");
 }
 
+/// Where robots can shove, a spin gives a duel up, since the opponent pushes on.
 std::optional<Move> spin(const Picture& picture, int robot, Memory& memory) {
-  if (memory.spin.locked > 0.0) return std::nullopt;
+  if (picture.pitch.shoves || memory.spin.locked > 0.0) return std::nullopt;
   const Tuning& tuning = picture.tuning;
   const Vec2 rel = picture.ballFrom(robot), ball = picture.ball.now().position;
   const Aim& aim = shotOf(picture, robot, memory.shot).aim;

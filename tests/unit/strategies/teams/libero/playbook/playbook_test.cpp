@@ -92,10 +92,10 @@ TEST_CASE("libero plays without any of its skills, and without all that may be l
 }
 
 TEST_CASE("libero's parameter without names what is wrong with it", "[unit]") {
-  CHECK(errorOf("press+squeeze").empty());
-  CHECK(errorOf("prss").find("'prss'. Did you mean 'press'? It must be one of meet-penalty, ") !=
+  CHECK(errorOf("race+squeeze").empty());
+  CHECK(errorOf("rce").find("'rce'. Did you mean 'race'? It must be one of meet-penalty, ") !=
         std::string::npos);
-  CHECK(errorOf("press+").find("there is no skill ''") != std::string::npos);
+  CHECK(errorOf("race+").find("there is no skill ''") != std::string::npos);
   for (const char* last : {"strike", "shadow", "stand-in-goal"}) {
     CHECK(errorOf(last).find("needs this skill") != std::string::npos);
   }
