@@ -9,28 +9,6 @@
 #include "strategies/prediction/time_to_reach.hpp"
 
 namespace fulbito::libero {
-namespace {
-
-/// Drives along the line at `speed` [m/s]. A small turn toward the line corrects the distance from it.
-Twist alongLine(const Pitch& pitch, const RobotState& self, double line, double speed) {
-  const double dx = line - self.pose.position.x;
-  const double most = pitch.tuning.turn_in;
-  const double lean =
-      std::clamp(dx / pitch.around, -most, most) * std::min(1.0, std::abs(speed) / pitch.tuning.lies);
-  const double along = speed >= 0.0 ? math::kPi / 2 - lean : -math::kPi / 2 + lean;
-  const double error = foldedError(along, self.pose.heading);
-  const double face = std::abs(math::wrapAngle(along - self.pose.heading)) > math::kPi / 2 ? -1.0 : 1.0;
-  return {face * std::abs(speed) * std::max(0.0, math::cos(error)),
-          std::clamp(pitch.tuning.rest_gain * error, -pitch.turn_rate, pitch.turn_rate)};
-}
-
-/// The greatest speed [m/s] at which the robot can still stop `way` [m] ahead.
-double stoppableSpeed(const Pitch& pitch, double way) {
-  return std::min(stoppingSpeed(pitch.plannedBraking(), std::abs(way)),
-                  pitch.tuning.rest_gain * std::abs(way));
-}
-
-}  // namespace
 
 std::optional<double> crossing(const Picture& picture, double line) {
   Vec2 before = picture.ball.sample(0);
@@ -70,6 +48,23 @@ bool mustSave(const Picture& picture, int robot) {
   if (!shot || std::abs(*shot) > pitch.goal_half + pitch.ball_radius) return false;
   return picture.own(robot).pose.position.x < -pitch.half_length + pitch.area_front + pitch.bodies &&
          picture.ball.now().position.x > picture.own(robot).pose.position.x;
+}
+
+Twist alongLine(const Pitch& pitch, const RobotState& self, double line, double speed) {
+  const double dx = line - self.pose.position.x;
+  const double most = pitch.tuning.turn_in;
+  const double lean =
+      std::clamp(dx / pitch.around, -most, most) * std::min(1.0, std::abs(speed) / pitch.tuning.lies);
+  const double along = speed >= 0.0 ? math::kPi / 2 - lean : -math::kPi / 2 + lean;
+  const double error = foldedError(along, self.pose.heading);
+  const double face = std::abs(math::wrapAngle(along - self.pose.heading)) > math::kPi / 2 ? -1.0 : 1.0;
+  return {face * std::abs(speed) * std::max(0.0, math::cos(error)),
+          std::clamp(pitch.tuning.rest_gain * error, -pitch.turn_rate, pitch.turn_rate)};
+}
+
+double stoppableSpeed(const Pitch& pitch, double way) {
+  return std::min(stoppingSpeed(pitch.plannedBraking(), std::abs(way)),
+                  pitch.tuning.rest_gain * std::abs(way));
 }
 
 Twist slideTo(const Picture& picture, const RobotState& self, double line, double y) {

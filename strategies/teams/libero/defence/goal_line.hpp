@@ -27,6 +27,12 @@ bool shotComes(const Picture& picture);
 /// Whether the ball rolls into the own goal and `robot`, which is near the goal, must save it.
 bool mustSave(const Picture& picture, int robot);
 
+/// Drives along the line at `speed` [m/s]. A small turn toward the line corrects the distance from it.
+Twist alongLine(const Pitch& pitch, const RobotState& self, double line, double speed);
+
+/// The greatest speed [m/s] at which the robot can still stop `way` [m] ahead.
+double stoppableSpeed(const Pitch& pitch, double way);
+
 /// Drives to `y` [m] on the line with the body parallel to it.
 Twist slideTo(const Picture& picture, const RobotState& self, double line, double y);
 
