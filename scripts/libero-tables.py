@@ -3,6 +3,7 @@
 
 Usage: libero-tables.py OUT PAGE           replaces what stands between the marks of PAGE
        libero-tables.py --opponents OUT    the teams that libero plays against, one per line
+       libero-tables.py --training OUT     those that it is tuned against
        libero-tables.py --skills OUT       the skills that libero can do without
 """
 
@@ -213,17 +214,20 @@ def left_out(m):
     return names
 
 
+def without(m, robot, skill):
+    """Points and goals of libero without a skill, against the training teams."""
+    p = pool([m.read(f"without/{robot}/{skill}/{name}") for name in m.opponents("training")])
+    return f"{percent(p['points'][0])}, {p['goals'][0]} : {p['goals'][1]}"
+
+
 def skills_table(m):
-    rows = []
+    rows = [["nothing", "–"] + [without(m, robot, "nothing") for robot in ROBOTS] + ["–" for _ in ROBOTS]]
     for name in left_out(m):
         roles = [s["role"] for s in m.libero()["skills"] if s["name"] == name]
-        s = m.read(f"without/{name}")
-        worth = f"{s['goal_difference']:+.2f}"
-        if s["goal_difference_low"] is not None:
-            worth += f" ({s['goal_difference_low']:+.2f} … {s['goal_difference_high']:+.2f})"
-        rows.append([f"`{name}`", ", ".join(roles), worth] + [shown_drills(m, robot, name) for robot in ROBOTS])
-    return table(["skill", "roles", "goals per match against libero without it"] +
-                 [f"drills on `{robot}`, points" for robot in ROBOTS], rows)
+        rows.append([f"`{name}`", ", ".join(roles)] + [without(m, robot, name) for robot in ROBOTS] +
+                    [shown_drills(m, robot, name) for robot in ROBOTS])
+    return table(["without", "roles"] + [f"matches on `{robot}`" for robot in ROBOTS] +
+                 [f"drills on `{robot}`" for robot in ROBOTS], rows)
 
 
 def bars_table(m):
@@ -280,6 +284,8 @@ def main(arguments):
         sys.exit(__doc__)
     if arguments[0] == "--opponents":
         print("\n".join(Measured(arguments[1]).opponents(*SPARRING, YARDSTICKS)))
+    elif arguments[0] == "--training":
+        print("\n".join(Measured(arguments[1]).opponents("training")))
     elif arguments[0] == "--skills":
         print("\n".join(left_out(Measured(arguments[1]))))
     else:

@@ -7,18 +7,18 @@ usage() {
 Usage: scripts/measure-libero.sh [OPTIONS]      e.g. scripts/measure-libero.sh --pairs 100 --out build/libero
 
 Plays libero against every sparring team and against itself, on both robots, both profiles of physics, with exact and with
-late and noisy sight, 3v3 and 5v5. Runs all drills, and measures what each skill is worth. Then it writes the tables between
-the marks of docs/results/libero.md; all other text of the page stays.
+late and noisy sight, 3v3 and 5v5. Runs all drills. Measures what each skill is worth, in drills and in matches of 180 s against
+the training teams. Then it writes the tables between the marks of docs/results/libero.md; all other text of the page stays.
 
   --pairs N       pairs against each team with standard physics, exact sight, 3v3, and against itself (default: 100)
-  --grid-pairs N  pairs against each team in the rest of the grid, and of matches without a skill (default: a fifth of N)
+  --grid-pairs N  pairs against each team in the rest of the grid, and of the short ones without a skill (default: a fifth of N)
   --seed S        seed of all matches and drills (default: 2029)
   --out FOLDER    keeps what is measured; the same command goes on where it stopped (default: build/libero)
   --program FILE  default: build/release/fulbito
   --page FILE     default: docs/results/libero.md
   --quick         short matches and few trials, to try the script; without --page the page is written to OUT/libero.md
 
-With 100 pairs it takes about two hours on two cores. Teams and what they are for come from `fulbito list teams --json`.
+With 100 pairs it takes about three hours on two cores. Teams and what they are for come from `fulbito list teams --json`.
 Exit code: 0 the page is written; 2 wrong use; others of the program.
 USAGE
 }
@@ -49,10 +49,10 @@ grid_pairs=${grid_pairs:-$(((pairs + 4) / 5))}
 [[ $grid_pairs =~ ^[1-9][0-9]*$ ]] || fail "--grid-pairs must be a number from 1"
 [ -x "$program" ] || fail "no program '$program'"
 cd "$root"
-match=() trials=() drills=() worth=(--drill "3,6,7,8,9,10,11,12,13,14,15,16,17" --trials 200)
+match=() short=(--half-seconds 90) trials=() drills=() worth=(--drill "3,6,7,8,9,10,11,12,13,14,15,16,17" --trials 200)
 if $quick; then
   pairs=1 grid_pairs=1
-  match=(--half-seconds 5) trials=(--trials 2) drills=(--drill "3,13") worth=(--drill "3,13" --trials 4)
+  match=(--half-seconds 5) short=(--half-seconds 2) trials=(--trials 2) drills=(--drill "3,13") worth=(--drill "3,13" --trials 4)
 fi
 mkdir -p "$out"
 if [ -z "$page" ]; then
@@ -82,12 +82,12 @@ series() {
   local file=$1 count=$2
   shift 2
   [ ! -e "$out/$file.json" ] || return 0
-  run "$file" match "$@" -n "$count" --seed "$seed" "${match[@]}" --out "$out/$file"
+  run "$file" match "$@" -n "$count" --seed "$seed" --out "$out/$file"
   rm -r "${out:?}/$file"
 }
 
 run teams list teams
-opponents=$(python3 scripts/libero-tables.py --opponents "$out")
+opponents=$(python3 scripts/libero-tables.py --opponents "$out") training=$(python3 scripts/libero-tables.py --training "$out")
 
 for robot in vsss firasim; do
   for physics in standard fast; do
@@ -98,7 +98,7 @@ for robot in vsss firasim; do
         [ $sight = exact ] || see=(--noise 0.002 --latency 2)
         for opponent in $opponents libero; do
           series "series/$robot-$physics-$sight-$size/$opponent" "$count" libero "$opponent" --robot $robot --physics $physics \
-            --rules "vsss-$size" "${see[@]}"
+            --rules "vsss-$size" "${see[@]}" "${match[@]}"
         done
       done
     done
@@ -106,8 +106,14 @@ for robot in vsss firasim; do
   run "drills/$robot" drill libero --robot $robot --seed "$seed" "${drills[@]}" "${trials[@]}"
   run "worth/$robot" drill libero --without all --robot $robot --seed "$seed" "${worth[@]}"
 done
-for skill in $(python3 scripts/libero-tables.py --skills "$out"); do
-  series "without/$skill" "$grid_pairs" libero "libero:without=$skill"
+for skill in nothing $(python3 scripts/libero-tables.py --skills "$out"); do
+  team=libero
+  [ "$skill" = nothing ] || team="libero:without=$skill"
+  for robot in vsss firasim; do
+    for opponent in $training; do
+      series "without/$robot/$skill/$opponent" "$grid_pairs" "$team" "$opponent" --robot $robot "${short[@]}"
+    done
+  done
 done
 for team in libero classic; do
   run "time/$team" match $team $team --seed "$seed" --profile "${match[@]}"

@@ -44,8 +44,10 @@ struct DrillStart {
   double distance_min = 0.0;  ///< [m] distance of the ball from the point it rolls toward; replaces `ball`
   double distance_max = 0.0;
   double savable = 0.0;  ///< multiple of the least savable distance that is added to the distance
-  double angle = 0.0;    ///< [rad] largest angle between the ball's path and the goal's normal
-  bool enters = false;   ///< only balls that go into the own goal if nobody touches them
+  /// [m/s] speed of the shot whose least savable distance that is; 0: each shot's own
+  double savable_speed = 0.0;
+  double angle = 0.0;   ///< [rad] largest angle between the ball's path and the goal's normal
+  bool enters = false;  ///< only balls that go into the own goal if nobody touches them
   /// bounces off walls before the ball is in, or before the prediction ends; -1: any number
   int bounces = -1;
   bool decided = false;     ///< only trials with a success or a failure in time count
@@ -142,12 +144,13 @@ struct Drill {
   bool referee = true;  ///< false: only goals stop play
   /// number of trials; for whole matches their number, or half of it if they are played in pairs
   int trials = 400;
-  int agent = -1;             ///< robot that an environment's agent drives; -1: the lowest number of a start
-  double duration = 10.0;     ///< [s]
-  double after = 0.0;         ///< [s] time to observe after a success
-  double latency = 0.05;      ///< [s] T of the least savable distance
-  double acceleration = 5.0;  ///< [m/s^2] a of the least savable distance
-  double tolerance = 0.015;   ///< [m] tolerance of a task's position
+  int agent = -1;          ///< robot that an environment's agent drives; -1: the lowest number of a start
+  double duration = 10.0;  ///< [s]
+  double after = 0.0;      ///< [s] time to observe after a success
+  double latency = 0.05;   ///< [s] T of the least savable distance
+  double acceleration_share =
+      0.75;                  ///< a of the least savable distance, as a share of the robot's acceleration
+  double tolerance = 0.015;  ///< [m] tolerance of a task's position
   double heading_tolerance = 0.1396;  ///< [rad] tolerance of a task's heading
   std::vector<DrillStart> starts;
   std::vector<DrillRobot> robots;

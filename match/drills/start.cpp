@@ -13,6 +13,7 @@
 #include "fulbito/world.hpp"
 #include "referee/restarts/restart_call.hpp"
 #include "strategies/interface/team_frame.hpp"
+#include "strategies/prediction/time_to_reach.hpp"
 
 namespace fulbito {
 namespace {
@@ -107,6 +108,12 @@ class SceneDraw {
  private:
   Vec2 taken(const std::vector<Vec2>& places) const { return places[turn_ % places.size()]; }
 
+  /// The part of the distance of a ball of `speed` that the keeper's reach gives.
+  double savableDistance(const DrillStart& start, double speed) const {
+    const double counts = start.savable_speed > 0.0 ? start.savable_speed : speed;
+    return start.savable * leastSavableDistance(drill_, robot_.robot, counts);
+  }
+
   void drawBall(const DrillStart& start, Placement& placement) {
     const double speed = fulbito::draw(rng_, start.speed_min, start.speed_max);
     const Vec2 aim = start.toward.empty() ? Vec2{}
@@ -115,8 +122,8 @@ class SceneDraw {
     if (start.ball.empty() && start.toward.empty()) return;  // the restart's rule places the ball
     if (start.ball.empty()) {
       const double side = aim.x < 0.0 ? 1.0 : -1.0;
-      const double distance = fulbito::draw(rng_, start.distance_min, start.distance_max) +
-                              start.savable * leastSavableDistance(drill_, speed);
+      const double distance =
+          fulbito::draw(rng_, start.distance_min, start.distance_max) + savableDistance(start, speed);
       const Vec2 way = math::unit(rng_.uniform(-1.0, 1.0) * start.angle) * distance;
       placement.ball = aim + Vec2{side * way.x, way.y};
     } else {
@@ -200,7 +207,7 @@ class SceneDraw {
     const double speed = norm(placement.ball_velocity);
     const BallWay way = rollAlone(match_, placement);
     return way.conceded && (start.bounces < 0 || way.bounces == start.bounces) &&
-           way.length >= start.savable * leastSavableDistance(drill_, speed);
+           way.length >= savableDistance(start, speed);
   }
 
   bool robotFits(const Pose2& pose, Vec2 ball) const {
@@ -244,8 +251,9 @@ void mirror(DrillScene& scene) {
 
 }  // namespace
 
-double leastSavableDistance(const Drill& drill, double speed) {
-  return speed * (drill.latency + std::sqrt(2.0 * kGap / drill.acceleration));
+double leastSavableDistance(const Drill& drill, const RobotModel& robot, double speed) {
+  const double acceleration = drill.acceleration_share * RobotPace(robot).acceleration;
+  return speed * (drill.latency + std::sqrt(2.0 * kGap / acceleration));
 }
 
 Result<DrillScene> drawScene(const Drill& drill, const MatchConfig& match, std::uint64_t seed, int index) {

@@ -13,9 +13,9 @@ struct DrillScene {
   TeamId seat = TeamId::kBlue;  ///< colour that the tested team plays as
 };
 
-/// Least distance [m] from which a keeper that starts `kGap` off can reach a ball of `speed`:
-/// d* = v (T + sqrt(2 g / a)).
-double leastSavableDistance(const Drill& drill, double speed);
+/// Least distance [m] from which a keeper that starts `kGap` off can reach a ball of `speed` [m/s]:
+/// d* = v (T + sqrt(2 g / a)), with a share of the robot's acceleration as a.
+double leastSavableDistance(const Drill& drill, const RobotModel& robot, double speed);
 
 /// The start of trial `index`: a pure function of the drill, its seed and the index. Starts take turns;
 /// within each, every second trial is mirrored about the x axis and every second pair is played on the other

@@ -16,12 +16,13 @@ measure() {
   [[ $(<"$folder/log") == *"$2"* ]] || die "no '$2' in: $(cat "$folder/log")"
 }
 
-measure 0 'match libero chaser --robot vsss --physics standard --rules vsss-3v3 -n 1 --seed 2029 --half-seconds 5'
+measure 0 'match libero chaser --robot vsss --physics standard --rules vsss-3v3 --half-seconds 5 -n 1 --seed 2029'
 page=$folder/out/libero.md
 # Backticks are those of Markdown.
 # shellcheck disable=SC2016
 for text in '| points against each team, both robots | ≥ 90 % |' '| vsss | `univector` | training | 1 |' '| firasim | `kicker` | validation | 1 |' \
-  '| firasim | fast | 2 mm, 2 ticks | 5v5 | validation |' '| vsss | standard | exact | 3v3 |' '| 13 `jam` |' '| `race` | striker |' '## Where it falls short'; do
+  '| firasim | fast | 2 mm, 2 ticks | 5v5 | validation |' '| vsss | standard | exact | 3v3 |' '| 13 `jam` |' '| `race` | striker |' \
+  '| without | roles | matches on `vsss`' '## Where it falls short'; do
   grep -qF -- "$text" "$page" || die "no '$text' in the page: $(cat "$page")"
 done
 

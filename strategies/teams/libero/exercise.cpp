@@ -22,16 +22,17 @@ Twist push(const Pitch& pitch, const RobotState& robot, const Exercise& exercise
 }
 
 /// Waits behind the ball until the robot is aligned, then drives at it: slower than in play, and more
-/// reliable.
-Twist runUp(const Pitch& pitch, const RobotState& robot, Vec2 ball, double along, ExerciseMemory& memory) {
+/// reliable. It takes a run-up that is long enough for the asked speed.
+Twist runUp(const Pitch& pitch, const RobotState& robot, Vec2 ball, const Exercise& exercise,
+            ExerciseMemory& memory) {
+  const double along = exercise.heading;
   const Vec2 direction = math::unit(along);
   const Vec2 local = intoFrame(direction, robot.pose.position - ball);
   const double skew = std::abs(foldedError(along, robot.pose.heading));
   const double exact = pitch.tuning.clearance, behind = pitch.touch + pitch.ball_radius;
-  if (local.x < -behind && std::abs(local.y) < exact / 2 && skew < pitch.tuning.lean / 2)
-    memory.runs_up = true;
+  if (local.x < -behind && std::abs(local.y) < exact && skew < pitch.tuning.slant / 2) memory.runs_up = true;
   if (memory.runs_up) {
-    const double aside = std::clamp(local.y / pitch.around, -pitch.tuning.lean, pitch.tuning.lean);
+    const double aside = std::clamp(local.y / pitch.around, -pitch.tuning.slant, pitch.tuning.slant);
     return alongHeading(pitch, robot, along - aside, pitch.speed);
   }
   if (local.x > -roundRadius(pitch)) {
@@ -39,7 +40,9 @@ Twist runUp(const Pitch& pitch, const RobotState& robot, Vec2 ball, double along
         approachHeading(pitch, robot.pose.position, ball, along, pitch.touch + pitch.front, memory.side);
     return alongHeading(pitch, robot, heading, pitch.speed);
   }
-  return restAt(pitch, robot, ball - direction * (pitch.bodies + pitch.front), along, exact);
+  const double run = exercise.speed * exercise.speed / (2 * pitch.plannedSpeedingUp());
+  const double way = pitch.front + std::max(pitch.bodies, run);
+  return restAt(pitch, robot, ball - direction * way, along, exact);
 }
 
 }  // namespace
@@ -52,7 +55,7 @@ Twist exerciseTwist(const Pitch& pitch, const RobotState& robot, Vec2 ball, cons
     case Exercise::Kind::kTurn:
       return turnFrontTo(pitch, robot, exercise.heading);
     case Exercise::Kind::kReachBall:
-      return runUp(pitch, robot, ball, exercise.heading, memory);
+      return runUp(pitch, robot, ball, exercise, memory);
     case Exercise::Kind::kPush:
       return push(pitch, robot, exercise);
     case Exercise::Kind::kPredictBall:

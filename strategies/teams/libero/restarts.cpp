@@ -55,7 +55,7 @@ void kickOff(const Pitch& pitch, const PlacementRequest& request, double hand, T
     // face toward the support. It meets a straight kick from farther aside.
     const Vec2 taker = takerOf(request).value_or(Vec2{circle, 0.0});
     const double line = math::angleOf(taker);
-    const bool straight = std::abs(line) < pitch.tuning.lean;
+    const bool straight = std::abs(line) < pitch.tuning.slant;
     const double side = std::abs(taker.y) > pitch.tuning.clearance ? std::copysign(1.0, line) : hand;
     const Vec2 meeter = math::unit(line - side * (straight ? 2 * turn : turn));
     const Vec2 support = math::unit(line + side * 2 * turn);
@@ -92,7 +92,7 @@ void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
     // the support's side lets the ball slip past the keeper there. The places of the rules are mirrored
     // between the sides, not rotated, and this one follows them.
     const double hand = placed[2] && placed[2]->position.y < 0.0 ? -1.0 : 1.0;
-    placed[1] = facing(ball - pitch.tuning.run_up * math::unit(hand * pitch.tuning.lean / 2), ball);
+    placed[1] = facing(ball - pitch.tuning.run_up * math::unit(hand * pitch.tuning.slant / 2), ball);
     placed[2] = facing({ownLine(pitch), hand * pitch.half_width / 2}, ball);
   } else {
     const double hand = placed[1] && placed[1]->position.y < 0.0 ? -1.0 : 1.0;

@@ -78,8 +78,11 @@ bool isAtWall(const Pitch& pitch, Vec2 ball) {
 Aim aimAt(const Pitch& pitch, Vec2 ball, Vec2 target) {
   Aim aim{ball, unitOr(target - ball, {1.0, 0.0}), false};
   if (!isAtWall(pitch, ball)) return aim;
+  // Where a robot fits behind the ball, it strikes at the target. Elsewhere it would let go of the ball to
+  // turn.
+  const Vec2 behind = ball - aim.direction * pitch.front;
+  if (wallClearance(pitch.field, behind) > pitch.robot_half) return aim;
   const Vec2 normal = nearestWallNormal(pitch.field, ball);
-  if (dot(aim.direction, normal) < -pitch.tuning.lean) return aim;
   const Vec2 along = wayAlong(normal, ball);
   aim.direction = unitOr(along - normal * pitch.tuning.lean, along);
   aim.contact = insideWalls(pitch.field, ball, pitch.robot_half);

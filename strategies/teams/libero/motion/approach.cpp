@@ -10,12 +10,15 @@
 namespace fulbito::libero {
 namespace {
 
-/// The speed [m/s] of a robot `distance` [m] from the ball that is about to enter the circle round it: in a
-/// quarter turn, the robot drives the circle's radius. At full speed it would slide past the ball and have to
-/// come back.
+/// The speed [m/s] with which a robot enters the circle round the ball: in a quarter turn, it drives the
+/// circle's radius.
+double enteringSpeed(const Pitch& pitch) { return pitch.around / pitch.turn_time; }
+
+/// The speed [m/s] of a robot `distance` [m] from the ball that is about to enter the circle round it. At
+/// full speed it would slide past the ball and have to come back.
 double arrivingSpeed(const Pitch& pitch, double distance) {
   const double way = std::max(0.0, distance - pitch.around);
-  return std::min(pitch.speed, stoppingSpeed(pitch.plannedBraking(), way, pitch.around / pitch.turn_time));
+  return std::min(pitch.speed, stoppingSpeed(pitch.plannedBraking(), way, enteringSpeed(pitch)));
 }
 
 /// How far off the middle of the face [m] the ball may lie. The face sends it straight on wherever it lies,
@@ -41,7 +44,12 @@ double alongWalls(const Pitch& pitch, Vec2 robot, double heading) {
 
 }  // namespace
 
-double roundRadius(const Pitch& pitch) { return pitch.touch + pitch.tuning.round_gap; }
+double roundGap(const Pitch& pitch) {
+  const double speed = enteringSpeed(pitch);
+  return pitch.tuning.round_share * speed * speed / (2 * pitch.braking);
+}
+
+double roundRadius(const Pitch& pitch) { return pitch.touch + roundGap(pitch); }
 
 double approachHeading(const Pitch& pitch, Vec2 robot, Vec2 contact, double direction, double radius,
                        int& side) {

@@ -4,6 +4,10 @@
 
 namespace fulbito::libero {
 
+/// Gap [m] between robot and ball on the way round it: a share of the braking way, in which a robot that
+/// turns toward the ball still slides at it.
+double roundGap(const Pitch& pitch);
+
 /// Radius [m] of the circle on which a robot drives round the ball.
 double roundRadius(const Pitch& pitch);
 

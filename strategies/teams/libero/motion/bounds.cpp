@@ -112,7 +112,7 @@ struct Bound {
     if (now > 0.0) return fromEdge(wanted);
     if (now + mostWay(pitch, norm(robot.velocity)) < 0.0) return RobotCommand::byTwist(wanted);
     if (allows(wanted)) return RobotCommand::byTwist(wanted);
-    const Twist slide = alongEdge(wanted, pitch.tuning.lean);
+    const Twist slide = alongEdge(wanted, pitch.tuning.slant);
     if (allows(slide)) return RobotCommand::byTwist(slide);
     if (allows({0.0, slide.angular})) return RobotCommand::byTwist({0.0, slide.angular});
     return straight(0.0);

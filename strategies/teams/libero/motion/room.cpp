@@ -163,8 +163,8 @@ struct Body {
     // A robot that only turns goes the way that it faces, so that both hands are alike.
     const Vec2 going = start.face * (std::abs(wanted.linear) > 1e-9 ? wanted.linear : 1.0);
     const double hand = dot(going, perp(off)) >= 0.0 ? 1.0 : -1.0;
-    const Twist slide =
-        alongHeading(pitch, self, math::angleOf(perp(off) * hand + off * 2 * pitch.tuning.lean), pitch.speed);
+    const Twist slide = alongHeading(
+        pitch, self, math::angleOf(perp(off) * hand + off * 2 * pitch.tuning.slant), pitch.speed);
     if (allows(slide)) return RobotCommand::byTwist(slide);
     if (allows({0.0, slide.angular})) return RobotCommand::byTwist({0.0, slide.angular});
     return away();

@@ -21,6 +21,8 @@ struct Pitch {
 
   /// Deceleration [m/s^2] that a robot plans with when it drives straight.
   double plannedBraking() const { return tuning.braking_share * braking; }
+  /// [m/s^2] the same for its acceleration.
+  double plannedSpeedingUp() const { return tuning.braking_share * acceleration; }
   /// [rad/s^2] the same for its turns.
   double plannedTurning() const { return tuning.braking_share * turning; }
 

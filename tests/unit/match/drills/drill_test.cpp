@@ -181,9 +181,12 @@ TEST_CASE("floors are those of docs/skills.md", "[unit]") {
   CHECK(timeToTurn(pace, math::kPi / 2) == Approx(0.22).margin(0.005));
   const Drill& keeper = builtInDrills()[9];
   REQUIRE(keeper.name == "keeper");
-  CHECK(leastSavableDistance(keeper, 1.2) == Approx(0.32).margin(0.005));
-  CHECK(leastSavableDistance(keeper, 1.6) == Approx(0.43).margin(0.005));
-  CHECK(leastSavableDistance(keeper, 2.0) == Approx(0.54).margin(0.005));
+  const RobotModel vsss = loadRobot("vsss")->robot;
+  CHECK(leastSavableDistance(keeper, vsss, 1.2) == Approx(0.32).margin(0.005));
+  CHECK(leastSavableDistance(keeper, vsss, 1.6) == Approx(0.43).margin(0.005));
+  CHECK(leastSavableDistance(keeper, vsss, 2.0) == Approx(0.53).margin(0.005));
+  // A robot that speeds up five times as slowly needs about twice the distance.
+  CHECK(leastSavableDistance(keeper, loadRobot("firasim")->robot, 1.2) == Approx(0.66).margin(0.005));
 }
 
 TEST_CASE("trials are shared evenly among hands and sides", "[unit]") {

@@ -66,7 +66,7 @@ std::optional<Twist> pushAside(const Picture& picture, const RobotState& self) {
     return passThrough(pitch, self, {std::max(ball.x, keeperLine(pitch)), ball.y + pitch.bodies * out});
   }
   if (rel.x < pitch.ball_radius) return std::nullopt;
-  const Vec2 way = unitOr(rel, {1.0, 0.0}) + Vec2{0.0, out * pitch.tuning.lean};
+  const Vec2 way = unitOr(rel, {1.0, 0.0}) + Vec2{0.0, out * pitch.tuning.slant};
   int side = 0;
   const double heading =
       approachHeading(pitch, self.pose.position, ball, math::angleOf(way), roundRadius(pitch), side);

@@ -36,7 +36,7 @@ std::optional<Move> guardPost(const Picture& picture, int robot, Memory& /*memor
   Move move{.reason = "the ball is at the end wall", .place = post};
   // A keeper that was pushed into the goal must leave it first.
   if (std::abs(way.y) < pitch.ball_radius && way.x < pitch.robot_half) {
-    move.twist = turnTo(pitch, self, side * (math::kPi / 2 - pitch.tuning.lean));
+    move.twist = turnTo(pitch, self, side * (math::kPi / 2 - pitch.tuning.slant));
     move.twist.linear = creeping(pitch, dot(way, math::unit(self.pose.heading)));
   } else {
     move.twist = slideTo(picture, self, post.x, post.y);

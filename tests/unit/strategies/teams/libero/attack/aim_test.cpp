@@ -34,4 +34,19 @@ TEST_CASE("libero aims where a ball that rolls at the goal already goes", "[unit
   CHECK(aimedAt({-0.5, -0.5}, pitch) == 0.0);
 }
 
+// A robot that turned to aim at the goal would let go of a ball that it has pushed to the post.
+TEST_CASE("libero pushes a ball along the end wall until it is in front of the mouth", "[unit]") {
+  const libero::Pitch pitch(test::infoOf(3));
+  const Vec2 target{pitch.half_length + pitch.ball_radius, 0.0};
+  const double at_wall = pitch.half_length - pitch.ball_radius;
+  for (const double y : {0.5, 0.3, 0.21}) {
+    const libero::Aim aim = libero::aimAt(pitch, {at_wall, y}, target);
+    CHECK(aim.wall);
+    CHECK(aim.direction.y < -0.9);
+  }
+  CHECK_FALSE(libero::aimAt(pitch, {at_wall, 0.19}, target).wall);
+  // Off the wall by half a robot, one fits behind the ball.
+  CHECK_FALSE(libero::aimAt(pitch, {at_wall - pitch.robot_half, 0.3}, target).wall);
+}
+
 }  // namespace fulbito
