@@ -148,9 +148,8 @@ struct Drill {
   double duration = 10.0;  ///< [s]
   double after = 0.0;      ///< [s] time to observe after a success
   double latency = 0.05;   ///< [s] T of the least savable distance
-  double acceleration_share =
-      0.75;                  ///< a of the least savable distance, as a share of the robot's acceleration
-  double tolerance = 0.015;  ///< [m] tolerance of a task's position
+  double acceleration_share = 0.75;   ///< a of it, as a share of the robot's acceleration
+  double tolerance = 0.015;           ///< [m] tolerance of a task's position
   double heading_tolerance = 0.1396;  ///< [rad] tolerance of a task's heading
   std::vector<DrillStart> starts;
   std::vector<DrillRobot> robots;
