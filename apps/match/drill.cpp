@@ -47,7 +47,7 @@ CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
       "  fulbito drill classic --drill 3,10 --trials 40\n"
       "  fulbito drill libero --json > drills.json\n"
       "  fulbito drill chaser classic --drill 3,10,13 --trials 80\n"
-      "  fulbito drill libero --without press,spin   what these skills are worth on the same trials\n"
+      "  fulbito drill libero --without race,spin    what these skills are worth on the same trials\n"
       "  fulbito drill --list\n"
       "All drills take about five minutes on one core; drills 18 and 21, which are whole matches, take most "
       "of\n"

@@ -13,7 +13,7 @@ namespace fulbito {
 
 /// Name of the setting that chooses a team's navigator.
 inline constexpr const char* kNavigatorSetting = "navigator";
-/// Name of the setting that leaves skills of a team's play book out, such as `without=press+squeeze`.
+/// Name of the setting that leaves skills of a team's play book out, such as `without=race+squeeze`.
 inline constexpr const char* kWithoutSetting = "without";
 
 /// Removes the setting `navigator` from a team's settings and returns its choice, or that of

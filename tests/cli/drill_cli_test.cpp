@@ -4,6 +4,17 @@
 
 using namespace fulbito::test;
 
+TEST_CASE("the skills that the help of drill leaves out are skills of libero", "[cli]") {
+  const Sandbox box;
+  const std::string help = box.run("drill --help").out, example = "fulbito drill libero --without ";
+  const std::size_t at = help.find(example);
+  REQUIRE(at != std::string::npos);
+  const std::size_t begin = at + example.size();
+  const std::string skills = help.substr(begin, help.find(' ', begin) - begin);
+  CAPTURE(skills);
+  CHECK(box.run("drill libero --without " + skills + " --drill 13 --trials 1").code == 0);
+}
+
 TEST_CASE("drill --without measures what skills are worth", "[cli]") {
   const Sandbox box;
   const Output text = box.run("drill libero --without race,spin --drill 13 --trials 8");

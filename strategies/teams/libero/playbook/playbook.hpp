@@ -13,7 +13,7 @@ class PlayBook {
  public:
   /// The whole play book.
   PlayBook();
-  /// The play book without skills, such as `press+squeeze`. A name that several roles have leaves all of them
+  /// The play book without skills, such as `race+squeeze`. A name that several roles have leaves all of them
   /// out. Errors: kUsage for an unknown name, and for the last skill of a role.
   static Result<PlayBook> without(const std::string& names);
   /// Every skill, role by role, in the order of priority.
