@@ -35,7 +35,7 @@ Twist runUp(const Pitch& pitch, const RobotState& robot, Vec2 ball, const Exerci
     const double aside = std::clamp(local.y / pitch.around, -pitch.tuning.slant, pitch.tuning.slant);
     return alongHeading(pitch, robot, along - aside, pitch.speed);
   }
-  if (local.x > -roundRadius(pitch)) {
+  if (local.x > -roundRadius(pitch, ball.x)) {
     const double heading =
         approachHeading(pitch, robot.pose.position, ball, along, pitch.touch + pitch.front, memory.side);
     return alongHeading(pitch, robot, heading, pitch.speed);

@@ -15,6 +15,15 @@ Twist twistOf(const Pitch& pitch, const RobotCommand& command) {
   return {(left + right) / 2, (right - left) / (2 * pitch.half_track)};
 }
 
+/// Whether the ball will be in or near the own area by the time a robot has turned round, with a keeper
+/// there. Opponents would push a field player that follows it into the area.
+bool ballIsKeepers(const Picture& picture) {
+  const Pitch& pitch = picture.pitch;
+  const Vec2 ball = picture.ball.at(2 * pitch.turn_time);
+  return picture.keeper >= 0 && isInArea(pitch.field, ball, true, pitch.front) &&
+         std::abs(ball.y) < pitch.area_half;
+}
+
 /// Whether the striker is outside the opponents' area and another own robot is inside: a second one inside
 /// is a foul.
 bool mateIsIn(const Picture& picture) {
@@ -37,7 +46,7 @@ RobotCommand legal(const Picture& picture, int robot, Twist wanted, YieldMemory&
     return clearOfMates(picture, robot, wanted, yield).value_or(RobotCommand::byTwist(wanted));
   const Pitch& pitch = picture.pitch;
   // A free ball lies at the area's edge, and a robot that avoids the edge would come late.
-  if (robot == picture.striker && disputesFreeBall(picture) && !picture.keepers_ball)
+  if (robot == picture.striker && disputesFreeBall(picture) && !ballIsKeepers(picture))
     return clearOfKeeper(picture, robot, wanted).value_or(RobotCommand::byTwist(wanted));
   // In five-a-side matches a second attacker in their area gains more than the resulting goal kicks cost.
   const bool theirs = !pitch.isLarge() && (robot != picture.striker || mateIsIn(picture));

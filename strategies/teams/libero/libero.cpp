@@ -13,6 +13,7 @@
 #include "strategies/teams/libero/playbook/playbook.hpp"
 #include "strategies/teams/libero/restarts.hpp"
 #include "strategies/teams/libero/roles.hpp"
+#include "strategies/teams/libero/situation/free_balls.hpp"
 #include "strategies/teams/libero/situation/tuning.hpp"
 
 namespace fulbito {
@@ -34,6 +35,7 @@ class Libero final : public Strategy {
     pitch_ = Pitch(info, tuning_);
     foresight_ = Foresight(info, BallForecast::horizon());
     forgetStriker();
+    free_balls_.forget();
     exercise_ = {};
     dispute_left_ = {};
     kick_off_hand_ = -1.0;
@@ -51,7 +53,8 @@ class Libero final : public Strategy {
     // Before the signal no robot can move, so standing still does not mean that it presses or is caught.
     if (!now.playing) memories_ = {};
     watchTouches(now);
-    Picture picture{now, pitch_, ball_, stuck_, dispute_left_};
+    free_balls_.watch(now, foresight_.playBegan(), 2 * tuning_.patience);
+    Picture picture{now, pitch_, ball_, stuck_, dispute_left_, free_balls_.pay()};
     if (roles_.choose(picture) && picture.striker >= 0)
       memories_[static_cast<std::size_t>(picture.striker)] = {};
     TeamCommand command;
@@ -147,6 +150,7 @@ class Libero final : public Strategy {
   std::vector<NavigatorChoice> navigators_;
   Foresight foresight_;
   BallForecast ball_;
+  FreeBalls free_balls_;
   Roles roles_;
   PlayBook play_book_;
   std::array<Memory, kMaxTeamSize> memories_{};

@@ -9,23 +9,12 @@
 namespace fulbito::libero {
 namespace {
 
-/// Whether the ball will be in or near the own area by the time a robot has turned round, with a keeper
-/// there. Opponents would push a field player that follows it into the area.
-bool ballIsKeepers(const Picture& picture) {
-  const Pitch& pitch = picture.pitch;
-  const Vec2 ball = picture.ball.at(2 * pitch.turn_time);
-  return picture.keeper >= 0 && isInArea(pitch.field, ball, true, pitch.front) &&
-         std::abs(ball.y) < pitch.area_half;
-}
-
-/// While the ball is the keeper's, the striker comes last: the support stays where it is.
 void rankOthers(Picture& picture) {
   int rank = 0;
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (picture.ownPresent(i) && i != picture.keeper && i != picture.striker)
       picture.rank[static_cast<std::size_t>(i)] = rank++;
   }
-  if (picture.striker >= 0) picture.rank[static_cast<std::size_t>(picture.striker)] = rank;
 }
 
 }  // namespace
@@ -35,7 +24,6 @@ bool Roles::choose(Picture& picture) {
   const bool changed = chooseStriker(picture);
   picture.keeper = keeper_;
   picture.striker = striker_;
-  picture.keepers_ball = ballIsKeepers(picture);
   rankOthers(picture);
   return changed;
 }

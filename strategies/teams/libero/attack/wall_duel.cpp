@@ -8,4 +8,11 @@ bool isFoughtFor(const Picture& picture, Vec2 rel, const Aim& aim, double speed,
          picture.opponentsNear(ball.position, rival) > 0;
 }
 
+bool isPressed(const Picture& picture, int robot, const Aim& aim) {
+  const double reach = picture.pitch.touch + picture.pitch.front;
+  const Vec2 rel = picture.ballFrom(robot);
+  return squaredNorm(rel) < reach * reach &&
+         isFoughtFor(picture, rel, aim, picture.tuning.pushable, picture.tuning.rival_near);
+}
+
 }  // namespace fulbito::libero

@@ -8,4 +8,7 @@ namespace fulbito::libero {
 /// opponent is within `rival` [m] of it. `rel` [m] is the ball seen from the robot.
 bool isFoughtFor(const Picture& picture, Vec2 rel, const Aim& aim, double speed, double rival);
 
+/// Whether a robot is next to a ball that can be pushed, and that an opponent fights for at a wall.
+bool isPressed(const Picture& picture, int robot, const Aim& aim);
+
 }  // namespace fulbito::libero

@@ -44,12 +44,14 @@ double alongWalls(const Pitch& pitch, Vec2 robot, double heading) {
 
 }  // namespace
 
-double roundGap(const Pitch& pitch) {
+double roundGap(const Pitch& pitch, double x) {
   const double speed = enteringSpeed(pitch);
-  return pitch.tuning.round_share * speed * speed / (2 * pitch.braking);
+  const double part = std::clamp((1.0 + x / pitch.half_length) / 2, 0.0, 1.0);
+  return std::max(pitch.tuning.clearance,
+                  part * pitch.tuning.round_share * speed * speed / (2 * pitch.braking));
 }
 
-double roundRadius(const Pitch& pitch) { return pitch.touch + roundGap(pitch); }
+double roundRadius(const Pitch& pitch, double x) { return pitch.touch + roundGap(pitch, x); }
 
 double approachHeading(const Pitch& pitch, Vec2 robot, Vec2 contact, double direction, double radius,
                        int& side) {
@@ -72,8 +74,8 @@ Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec
   const double along = math::angleOf(direction), behind = -local.x;
   const double least = pitch.ball_radius + tuning.clearance;
   if (behind < least || std::abs(local.y) > tuning.cone * behind) {
-    const double heading =
-        approachHeading(pitch, ahead, contact, along, behind < least ? round : roundRadius(pitch), side);
+    const double heading = approachHeading(pitch, ahead, contact, along,
+                                           behind < least ? round : roundRadius(pitch, contact.x), side);
     const Vec2 way = contact - self.pose.position;
     const bool comes_round = squaredNorm(rolling) < tuning.lies * tuning.lies &&
                              std::abs(math::wrapAngle(math::angleOf(way) - along)) > tuning.turn_in;

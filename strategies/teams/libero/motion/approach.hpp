@@ -4,12 +4,13 @@
 
 namespace fulbito::libero {
 
-/// Gap [m] between robot and ball on the way round it: a share of the braking way, in which a robot that
-/// turns toward the ball still slides at it.
-double roundGap(const Pitch& pitch);
+/// Gap [m] between robot and ball on the way round a ball at `x` [m]. At their goal it is a share of the
+/// braking way, in which a robot that turns toward the ball still slides at it. Toward our goal it falls to
+/// the clearance: there the first touch is worth more than a clean one.
+double roundGap(const Pitch& pitch, double x);
 
-/// Radius [m] of the circle on which a robot drives round the ball.
-double roundRadius(const Pitch& pitch);
+/// Radius [m] of the circle on which a robot drives round a ball at `x` [m].
+double roundRadius(const Pitch& pitch, double x);
 
 /// Heading [rad] of the field that leads behind `contact` and through it along `direction` [rad]: tangents to
 /// a circle of `radius` [m] about the contact, then the N-posture field (Univector, 3.1).

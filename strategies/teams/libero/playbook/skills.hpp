@@ -12,7 +12,7 @@ namespace fulbito::libero {
 /// what it must remember in the robot's memory.
 using SkillFunction = std::optional<Move>(const Picture& picture, int robot, Memory& memory);
 
-// Declares every skill of the play book in the namespace of its role, e.g. `striker::press`.
+// Declares every skill of the play book in the namespace of its role, e.g. `striker::strike`.
 #define SKILL(role, name, function, summary) \
   namespace role {                           \
   SkillFunction function;                    \

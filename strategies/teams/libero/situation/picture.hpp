@@ -23,12 +23,12 @@ struct Picture {
   double stuck = 0.0;  ///< [s] time that the ball has stayed in a circle, as referees measure it
   /// [s] time for which each own robot still counts as disputing the ball; 0: it has not touched it recently.
   std::array<double, kMaxTeamSize> dispute_left{};
+  /// Whether free balls in the opponents' half become goals in this match.
+  bool free_balls_pay = false;
   /// @{ What the choice of roles adds.
-  int keeper = -1;            ///< the robot that keeps goal; -1: none
-  int striker = -1;           ///< the robot that goes for the ball; -1: none
-  bool keepers_ball = false;  ///< only the keeper may play the ball, which is in or near the own area
-  /// Of each field player without the ball: how many of them have smaller numbers. While the ball is the
-  /// keeper's, the striker is one of them.
+  int keeper = -1;   ///< the robot that keeps goal; -1: none
+  int striker = -1;  ///< the robot that goes for the ball; -1: none
+  /// Of each field player without the ball: how many of them have smaller numbers.
   std::array<int, kMaxTeamSize> rank{};
   /// Of each field player; empty for others.
   std::array<std::optional<Interception>, kMaxTeamSize> interceptions{};

@@ -11,8 +11,9 @@
 namespace fulbito::libero::keeper {
 namespace {
 
-/// Whether the keeper reaches a ball near the goal before any opponent. For a fast ball it keeps its line,
-/// since a keeper that turns to clear opens a gap. Fast balls along the end wall are an exception.
+/// Whether the keeper reaches a ball near the goal before any opponent. One that speeds up slowly must have
+/// the time to turn back to its line, too. For a fast ball it keeps its line, since a keeper that turns to
+/// clear opens a gap. Fast balls along the end wall are an exception.
 bool comesFirst(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.sample(2);
@@ -21,9 +22,10 @@ bool comesFirst(const Picture& picture, const RobotState& self) {
   const BallState& now = picture.ball.now();
   if (now.position.x > -pitch.half_length + pitch.front && norm(now.velocity) > picture.tuning.touch_speed)
     return false;
-  const double mine = timeToReach(pitch.pace, self, ball);
+  const double needed = timeToReach(pitch.pace, self, ball) + (pitch.shoves ? 0.0 : pitch.turn_time);
   for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (picture.opponentPresent(i) && timeToReach(pitch.pace, picture.opponent(i), ball) < mine) return false;
+    if (picture.opponentPresent(i) && timeToReach(pitch.pace, picture.opponent(i), ball) < needed)
+      return false;
   }
   return true;
 }
@@ -69,7 +71,7 @@ std::optional<Twist> pushAside(const Picture& picture, const RobotState& self) {
   const Vec2 way = unitOr(rel, {1.0, 0.0}) + Vec2{0.0, out * pitch.tuning.slant};
   int side = 0;
   const double heading =
-      approachHeading(pitch, self.pose.position, ball, math::angleOf(way), roundRadius(pitch), side);
+      approachHeading(pitch, self.pose.position, ball, math::angleOf(way), roundRadius(pitch, ball.x), side);
   return alongHeading(pitch, self, heading, pitch.speed);
 }
 

@@ -18,7 +18,7 @@ std::optional<Move> strike(const Picture& picture, int robot, Memory& memory) {
   if (norm(picture.ballFrom(robot)) < tuning.rival_far)
     aim.direction = clearStrikeDirection(picture, robot, aim, memory.strike.direction);
   const int crowd = std::min(2, picture.opponentsNear(now.position, pitch.bodies + pitch.front));
-  const double round = roundRadius(pitch) + crowd * roundGap(pitch);
+  const double round = roundRadius(pitch, aim.contact.x) + crowd * roundGap(pitch, aim.contact.x);
   Move move{.reason = aim.wall ? "along the wall" : "at the widest gap", .ball = shot.ball};
   move.twist = driveThrough(pitch, self, aim.contact, aim.direction, round, now.velocity, memory.strike.side);
   move.place = insideWalls(pitch.field, aim.contact - aim.direction * pitch.front, pitch.robot_half);

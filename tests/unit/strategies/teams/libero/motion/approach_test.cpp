@@ -1,5 +1,6 @@
 #include "strategies/teams/libero/motion/approach.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/support/catch.hpp"
@@ -37,6 +38,17 @@ TEST_CASE("a robot of firasim, which speeds up slowly, carries the ball into an 
   }
   CAPTURE(scored, runs);
   CHECK(scored >= runs * 19 / 20);
+}
+
+TEST_CASE("libero's way round the ball is wide near their goal and narrow near ours", "[unit]") {
+  for (const char* model : {"vsss", "firasim"}) {
+    const libero::Pitch pitch(test::infoOf(3, model));
+    const double theirs = libero::roundGap(pitch, pitch.half_length);
+    CHECK(theirs > 1.5 * pitch.tuning.clearance);
+    CHECK(libero::roundGap(pitch, 0.0) == Approx(std::max(theirs / 2, pitch.tuning.clearance)));
+    CHECK(libero::roundGap(pitch, -pitch.half_length) == pitch.tuning.clearance);
+    CHECK(libero::roundRadius(pitch, 0.5) - libero::roundGap(pitch, 0.5) == Approx(pitch.touch));
+  }
 }
 
 TEST_CASE("a robot that has the ball pushes it straight on, wherever it lies on the middle of the face",

@@ -1,4 +1,5 @@
 #include "fulbito/detail/math.hpp"
+#include "strategies/prediction/time_to_reach.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
@@ -30,6 +31,33 @@ TEST_CASE("libero's keeper clears a ball that creeps off it, though two wait for
     CHECK(distance(match.world().balls[0].position, scene.ball) > 0.2);
     CHECK(match.referee().score[1] == 0);
   }
+}
+
+TEST_CASE("a keeper that speeds up slowly clears only what it reaches a turn before any opponent", "[unit]") {
+  // How much sooner [s] than the nearest opponent that it dares the keeper is at a ball in front of it.
+  const auto lead = [](const char* robot) {
+    const MatchInfo info = test::infoOf(3, robot);
+    const libero::Pitch pitch(info);
+    Observation seen;
+    seen.team_size = 3;
+    seen.ball.position = {-0.58, 0.0};
+    seen.own[0] = test::standingAt({{-0.69, 0.0}, math::kPi / 2});
+    libero::BallForecast ball;
+    ball.take(seen.ball, {});
+    const double needed = timeToReach(pitch.pace, seen.own[0].state, seen.ball.position);
+    for (double off = 0.1; off < 1.0; off += 0.01) {
+      seen.opponents[1] = test::standingAt({{-0.58 + off, 0.0}, math::kPi});
+      libero::Picture picture{seen, pitch, ball};
+      picture.keeper = 0;
+      libero::Memory memory;
+      if (libero::keeper::clear(picture, 0, memory))
+        return timeToReach(pitch.pace, seen.opponents[1].state, seen.ball.position) - needed;
+    }
+    return 0.0;
+  };
+  const double turn = libero::Pitch(test::infoOf(3, "firasim")).turn_time;
+  CHECK(lead("firasim") == Approx(turn).margin(0.02));
+  CHECK(lead("vsss") == Approx(0.0).margin(0.02));
 }
 
 TEST_CASE("libero's keeper goes out to a ball that creeps along its end wall", "[unit]") {

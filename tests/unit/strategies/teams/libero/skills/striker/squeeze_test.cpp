@@ -45,46 +45,11 @@ TEST_CASE("libero squeezes a ball that is pressed at the wall of its half out of
   }
 }
 
-TEST_CASE("where nobody can shove, libero holds a ball at a wall of their half for the free ball", "[unit]") {
-  const auto twist = [](const char* robot, double x, double side, double stuck = 0.0, double rule = 10.0) {
-    const Vec2 ball{x, 0.628}, off{-0.055, -0.024};
-    WallScene scene(ball, ball + off, ball + Vec2{0.045, -0.06}, side);
-    MatchInfo info = test::infoOf(3, robot);
-    info.rules.stuck.seconds = rule;
-    scene.pitch = libero::Pitch(info);
-    scene.seen.own[0].state.pose.heading = side * math::angleOf(-off);
-    scene.stuck = stuck;
-    const auto move = scene.move(libero::striker::squeeze);
-    REQUIRE(move);
-    return Twist{move->twist.linear, side * move->twist.angular};
-  };
-  for (const double side : {kUp, kDown}) {
-    const Twist holds = twist("firasim", 0.3, side);
-    CHECK(std::abs(holds.angular) < 1e-6);                        // straight at the ball
-    CHECK(std::abs(holds.linear) < 0.05);                         // a push would creep
-    const Twist late = twist("firasim", 0.3, side, 15.0);         // nobody gives a free ball
-    const Twist never = twist("firasim", 0.3, side, 0.0, 600.0);  // nor will anybody
-    for (const Twist& pushes : {twist("firasim", -0.3, side), twist("vsss", 0.3, side), late, never}) {
-      CHECK(pushes.angular < -0.5);  // along the wall
-      CHECK(pushes.linear > 0.2);
-    }
-  }
-}
-
-TEST_CASE("where nobody can shove, libero holds a ball against an opponent that pushes", "[unit]") {
-  MatchConfig config = test::matchOf("libero", "chaser", "vsss-3v3", 20.0);
-  config.robot = *loadRobot("firasim");
-  Placement scene;
-  scene.ball = {0.3, 0.628};
-  scene.robots[0][1] = Pose2{{0.245, 0.604}, 0.41};
-  scene.robots[1][1] = Pose2{{0.355, 0.604}, 2.73};
-  for (const double side : {kUp, kDown}) {
-    Match match = test::matchFrom(config, test::mirrored(scene, side));
-    while (match.seconds() < config.rules.stuck.seconds - 1.0 && match.step()) {
-    }
-    CHECK(distance(match.world().balls[0].position, test::onSide(scene.ball, side)) <
-          config.rules.stuck.radius);
-  }
+TEST_CASE("where nobody can shove, libero does not squeeze", "[unit]") {
+  WallScene scene(kAtEndWall, kAtEndWall + Vec2{0.02, -0.06}, kAtEndWall + Vec2{0.06, 0.03}, kUp);
+  scene.pitch = libero::Pitch(test::infoOf(3, "firasim"));
+  CHECK_FALSE(scene.move(libero::striker::squeeze));
+  CHECK(scene.move(libero::striker::race));
 }
 
 }  // namespace fulbito

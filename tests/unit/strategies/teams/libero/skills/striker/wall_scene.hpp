@@ -30,13 +30,14 @@ struct WallScene {
   /// What a skill does here.
   std::optional<libero::Move> move(libero::SkillFunction& skill) const {
     libero::Memory memory;
-    return skill({seen, pitch, forecast, stuck}, 0, memory);
+    return skill({seen, pitch, forecast, stuck, {}, free_balls_pay}, 0, memory);
   }
 
   libero::Pitch pitch{matchInfo()};
   Observation seen;
   libero::BallForecast forecast;
   double stuck = 0.0;  // [s] for which the ball has been stuck
+  bool free_balls_pay = false;
 };
 
 inline constexpr Vec2 kAtCut{-0.725, 0.56};      // at the end wall, where the corner triangle begins
