@@ -1,5 +1,7 @@
 #include "strategies/teams/libero/legal.hpp"
 
+#include <cmath>
+
 #include "strategies/skills/area_projection.hpp"
 #include "strategies/teams/libero/attack/press.hpp"
 #include "strategies/teams/libero/motion/bounds.hpp"

@@ -1,7 +1,5 @@
 #include "strategies/teams/libero/roles.hpp"
 
-#include <cmath>
-
 #include "strategies/skills/area_projection.hpp"
 #include "strategies/teams/libero/defence/goal_line.hpp"
 #include "strategies/teams/libero/situation/interception.hpp"
@@ -9,6 +7,7 @@
 namespace fulbito::libero {
 namespace {
 
+/// Numbers the field players without the ball.
 void rankOthers(Picture& picture) {
   int rank = 0;
   for (int i = 0; i < picture.seen.team_size; ++i) {

@@ -72,13 +72,6 @@ double farSide(Vec2 ball, Vec2 robot) {
   return ball.y > 0.0 ? -1.0 : 1.0;
 }
 
-Vec2 coverPlace(const Picture& picture) {
-  const Pitch& pitch = picture.pitch;
-  const double side = picture.ball.now().position.y >= 0.0 ? 1.0 : -1.0;
-  const Vec2 front{-pitch.half_length + pitch.field.goal_area_depth, side * pitch.goal_half / 2};
-  return outsideArea(pitch.field, front, true, pitch.touch);
-}
-
 Move travel(const Picture& picture, int robot, Vec2 place, const char* reason,
             std::optional<double> heading) {
   return {

@@ -15,10 +15,6 @@ Vec2 ballAhead(const Picture& picture);
 /// robot's own side. A fixed side would send some robots across the field.
 double farSide(Vec2 ball, Vec2 robot);
 
-/// The place [m] in front of our area from which a robot covers the goal that the keeper may leave: on the
-/// side of the ball, within a keeper's leash of the goal's centre.
-Vec2 coverPlace(const Picture& picture);
-
 /// Goes to `place` [m], round mates and opponents, and there turns to `heading` [rad], else to the ball.
 Move travel(const Picture& picture, int robot, Vec2 place, const char* reason,
             std::optional<double> heading = {});

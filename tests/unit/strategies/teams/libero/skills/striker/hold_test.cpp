@@ -1,3 +1,5 @@
+#include <memory>
+
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
@@ -17,6 +19,31 @@ WallScene duel(double side) {
   scene.free_balls_pay = true;
   return scene;
 }
+
+/// A libero to which the free balls of their half have brought a goal before.
+class Encouraged final : public Strategy {
+ public:
+  void begin(const MatchInfo& info) override {
+    libero_->begin(info);
+    Observation past;
+    past.team_size = info.rules.team_size;
+    past.since_restart = 20.0;
+    libero_->decide(past);
+    past.restart = RestartKind::kFreeBall;
+    past.restart_is_ours = true;
+    past.since_restart = 0.0;
+    libero_->decide(past);
+    past.own_score = 1;
+    libero_->decide(past);
+  }
+  TeamCommand decide(const Observation& observation) override { return libero_->decide(observation); }
+  std::optional<TeamProposal> place(const PlacementRequest& request) override {
+    return libero_->place(request);
+  }
+
+ private:
+  std::unique_ptr<Strategy> libero_ = *makeTeam(*parseTeam("libero"));
+};
 
 }  // namespace
 
@@ -51,6 +78,28 @@ TEST_CASE("libero holds no ball for a free ball that nobody gives", "[unit]") {
   info.rules.stuck.seconds = 600.0;
   never.pitch = libero::Pitch(info);
   CHECK_FALSE(never.move(libero::striker::hold));
+}
+
+TEST_CASE("once free balls pay, libero holds a ball against an opponent that pushes", "[unit]") {
+  MatchConfig config = test::matchOf("libero", "chaser", "vsss-3v3", 20.0);
+  config.robot = *loadRobot("firasim");
+  Placement scene;
+  scene.ball = {0.3, 0.628};
+  scene.robots[0][1] = Pose2{{0.245, 0.604}, 0.41};
+  scene.robots[1][1] = Pose2{{0.355, 0.604}, 2.73};
+  // How far [m] the ball is from its place just before the free ball.
+  const auto moved = [&](const TeamChoice& team, double side) {
+    config.teams[0] = team;
+    Match match = test::matchFrom(config, test::mirrored(scene, side));
+    while (match.seconds() < config.rules.stuck.seconds - 1.0 && match.step()) {
+    }
+    return distance(match.world().balls[0].position, test::onSide(scene.ball, side));
+  };
+  const TeamChoice encouraged = TeamChoice::own("encouraged", [] { return std::make_unique<Encouraged>(); });
+  for (const double side : {kUp, kDown}) {
+    CHECK(moved(encouraged, side) < config.rules.stuck.radius);
+    CHECK(moved(*parseTeam("libero"), side) > config.rules.stuck.radius);
+  }
 }
 
 }  // namespace fulbito
