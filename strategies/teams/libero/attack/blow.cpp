@@ -42,13 +42,17 @@ Vec2 blowInTime(const Pitch& pitch, Vec2 robot, const Aim& aim, Vec2 moving) {
   const Vec2 best = blow(tuning.strike_speed, aim.direction, moving);
   const Vec2 way = aim.contact - robot;
   const double length = norm(way), speed = norm(moving);
-  // The robot overtakes a ball that runs ahead of it, and a slow ball is still there after the way round it.
+  // A slow ball is still there after the way round it.
+  if (speed < tuning.rolls || length < pitch.robot_half) return best;
+  // A robot that speeds up fast overtakes a ball that runs ahead of it.
   const bool recedes = dot(moving, way) > math::cos(tuning.turn_in) * speed * length;
-  if (speed < tuning.rolls || length < pitch.robot_half || recedes) return best;
+  if (pitch.shoves && recedes) return best;
   const double bearing = math::angleOf(way);
   const double turn = math::wrapAngle(math::angleOf(best) - bearing);
+  // It has no room for a turn next to the ball. One that speeds up slowly makes it anyway, since a ball that
+  // it does not turn is lost for longer.
   const double room = (length - pitch.robot_half) / (pitch.bodies + pitch.front);
-  const double most = tuning.turn_in * std::min(1.0, room);
+  const double most = tuning.turn_in * (pitch.shoves ? std::min(1.0, room) : 1.0);
   if (std::abs(turn) < most) return best;
   const Vec2 early = math::unit(bearing + std::copysign(most, turn));
   return early.x > 0.5 ? early : best;

@@ -25,13 +25,7 @@ Vec2 across(Vec2 ball) { return {0.0, std::copysign(1.0, -ball.x * ball.y)}; }
 
 /// Whether the ball is beside a robot that would take long to drive round it.
 bool beside(const Picture& picture, Vec2 rel, const Aim& aim) {
-  return !aim.wall && norm(rel) < picture.pitch.touch && std::abs(dot(unitOr(rel, {}), aim.direction)) < 0.5;
-}
-
-/// Whether the ball lies at a wall beside the robot or behind it.
-bool pinned(const Picture& picture, Vec2 rel, const Aim& aim) {
-  return aim.wall && norm(rel) < picture.pitch.touch + picture.tuning.clearance &&
-         norm(picture.ball.now().velocity) < picture.tuning.lies && dot(unitOr(rel, {}), aim.direction) < 0.5;
+  return norm(rel) < picture.pitch.touch && std::abs(dot(unitOr(rel, {}), aim.direction)) < 0.5;
 }
 
 }  // namespace
@@ -41,7 +35,8 @@ std::optional<Move> spinOn(const Picture& picture, int /*robot*/, Memory& memory
   return turning(picture, memory.spin, "the spin is not over");
 }
 
-/// Where robots can shove, a spin gives a duel up, since the opponent pushes on.
+/// Where robots can shove, a spin gives a duel up, since the opponent pushes on. So does one at a wall, where
+/// the ball has no room to leave.
 std::optional<Move> spin(const Picture& picture, int robot, Memory& memory) {
   if (picture.pitch.shoves || memory.spin.locked > 0.0) return std::nullopt;
   const Tuning& tuning = picture.tuning;
@@ -50,12 +45,10 @@ std::optional<Move> spin(const Picture& picture, int robot, Memory& memory) {
   if (isStandOff(picture, rel, aim)) return begin(picture, robot, memory, across(ball), "nobody gives way");
   if (touchesFreeBall(picture, rel))
     return begin(picture, robot, memory, across(ball), "a free ball is thrown across");
-  if (ball.x <= tuning.spin_from) return std::nullopt;
+  if (aim.wall || ball.x <= tuning.spin_from) return std::nullopt;
   if (beside(picture, rel, aim)) return begin(picture, robot, memory, aim.direction, "the ball is beside it");
   if (memory.press.jammed > tuning.jam_time)
     return begin(picture, robot, memory, aim.direction, "the ball is jammed");
-  if (pinned(picture, rel, aim))
-    return begin(picture, robot, memory, aim.direction, "the ball is pinned at a wall");
   return std::nullopt;
 }
 

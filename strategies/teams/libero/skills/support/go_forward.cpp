@@ -18,13 +18,13 @@ bool isForward(const Picture& picture, Vec2 ball) {
 }
 
 /// The place from which a robot shoots a ball that a spin throws across the field: it comes from behind and
-/// meets the ball on the run. It looks at their goal, which is about where it runs. A ball that one robot
-/// throws comes forward by twice `front`, and one that both throw goes straight across. The place is for
-/// both.
+/// meets the ball on the run. It looks at their goal, which is about where it runs. A ball that both robots
+/// throw goes straight across, and there its face has a run-up of `behind`. One that a single robot throws
+/// comes forward by twice `front`.
 Move awaitThrow(const Picture& picture, int robot, Vec2 from) {
   const Pitch& pitch = picture.pitch;
   const double way = picture.tuning.behind;
-  const Vec2 place{std::min(from.x - way + pitch.front, pitch.half_length - pitch.area_front - pitch.around),
+  const Vec2 place{std::min(from.x - way - pitch.front, pitch.half_length - pitch.area_front - pitch.around),
                    farSide(from, picture.own(robot).pose.position) * way};
   return standBy(picture, robot, place, "the ball may be thrown across",
                  math::angleOf(pitch.theirGoal() - place));

@@ -1,3 +1,6 @@
+#include "strategies/teams/libero/attack/blow.hpp"
+
+#include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
@@ -40,6 +43,23 @@ TEST_CASE("libero meets a ball that rolls across, rather than to go round it whi
       CAPTURE(side);
       CHECK(secondsToTouch(test::mirrored(scene, side)) <= c.least + 0.2);
     }
+  }
+}
+
+TEST_CASE("libero drives round a ball that runs ahead only where it speeds up fast", "[unit]") {
+  // The ball leaves the robot's face to the right, and the goal is straight ahead.
+  const libero::Aim aim{{}, {1.0, 0.0}, false};
+  const auto turn = [&](const char* model, double side) {
+    const libero::Pitch pitch(test::infoOf(3, model));
+    const Vec2 robot = math::unit(side * 0.6) * -pitch.front;
+    const Vec2 moving = math::unit(side * 0.6) * 0.5;
+    return side * math::angleOf(libero::blowInTime(pitch, robot, aim, moving));
+  };
+  for (const double side : {1.0, -1.0}) {
+    // It cancels the speed across, and adds to the speed along.
+    const double along = libero::Tuning().strike_speed - 0.5 * math::cos(0.6);
+    CHECK(turn("vsss", side) == Approx(-math::atan2(0.5 * math::sin(0.6), along)));
+    CHECK(turn("firasim", side) == Approx(0.6 - libero::Tuning().turn_in));
   }
 }
 
