@@ -49,8 +49,8 @@ Vec2 blowInTime(const Pitch& pitch, Vec2 robot, const Aim& aim, Vec2 moving) {
   if (pitch.shoves && recedes) return best;
   const double bearing = math::angleOf(way);
   const double turn = math::wrapAngle(math::angleOf(best) - bearing);
-  // It has no room for a turn next to the ball. One that speeds up slowly makes it anyway, since a ball that
-  // it does not turn is lost for longer.
+  // Next to the ball there is no room for a turn. A robot that speeds up slowly makes it anyway, since a ball
+  // whose course it does not mend is lost for longer.
   const double room = (length - pitch.robot_half) / (pitch.bodies + pitch.front);
   const double most = tuning.turn_in * (pitch.shoves ? std::min(1.0, room) : 1.0);
   if (std::abs(turn) < most) return best;

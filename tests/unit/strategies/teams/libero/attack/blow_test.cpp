@@ -47,7 +47,7 @@ TEST_CASE("libero meets a ball that rolls across, rather than to go round it whi
 }
 
 TEST_CASE("libero drives round a ball that runs ahead only where it speeds up fast", "[unit]") {
-  // The ball leaves the robot's face to the right, and the goal is straight ahead.
+  // Ball and robot move aslant, and the goal is straight ahead.
   const libero::Aim aim{{}, {1.0, 0.0}, false};
   const auto turn = [&](const char* model, double side) {
     const libero::Pitch pitch(test::infoOf(3, model));
