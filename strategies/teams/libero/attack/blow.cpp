@@ -44,15 +44,15 @@ Vec2 blowInTime(const Pitch& pitch, Vec2 robot, const Aim& aim, Vec2 moving) {
   const double length = norm(way), speed = norm(moving);
   // A slow ball is still there after the way round it.
   if (speed < tuning.rolls || length < pitch.robot_half) return best;
-  // A robot that speeds up fast overtakes a ball that runs ahead of it.
-  const bool recedes = dot(moving, way) > math::cos(tuning.turn_in) * speed * length;
-  if (pitch.shoves && recedes) return best;
+  double most = tuning.turn_in;
+  // A robot that speeds up fast overtakes a ball that runs ahead of it, and has time for a turn on its way to
+  // the ball. Others turn next to the ball, too, since one whose course they do not mend is lost for longer.
+  if (pitch.shoves) {
+    if (dot(moving, way) > math::cos(tuning.turn_in) * speed * length) return best;
+    most *= std::min(1.0, (length - pitch.robot_half) / (pitch.bodies + pitch.front));
+  }
   const double bearing = math::angleOf(way);
   const double turn = math::wrapAngle(math::angleOf(best) - bearing);
-  // Next to the ball there is no room for a turn. A robot that speeds up slowly makes it anyway, since a ball
-  // whose course it does not mend is lost for longer.
-  const double room = (length - pitch.robot_half) / (pitch.bodies + pitch.front);
-  const double most = tuning.turn_in * (pitch.shoves ? std::min(1.0, room) : 1.0);
   if (std::abs(turn) < most) return best;
   const Vec2 early = math::unit(bearing + std::copysign(most, turn));
   return early.x > 0.5 ? early : best;

@@ -36,6 +36,7 @@ TEST_CASE("robots that cannot push each other away spin: past their goal, or awa
     CHECK(spins("firasim", {0.3, 0.0}, {0.0, -side * 0.06}, {0.3, 0.0}) == 0.0);
     // At a wall the ball has no room to leave.
     CHECK(spins("firasim", {0.6, side * 0.63}, {0.06, 0.0}, {0.12, 0.0}) == 0.0);
+    CHECK(spins("vsss", {0.6, side * 0.63}, {0.06, 0.0}, {0.12, 0.0}) == 0.0);
   }
 }
 
