@@ -175,7 +175,7 @@ def reached(bar):
     if bar["measure"] == "error" and bar["statistic"] != "rate":
         scale, unit = 100, "\u00a0cm"
     if bar["measure"] in ("time", "excess") and bar["statistic"] != "rate":
-        unit = "\u00a0s"
+        unit = "\u00a0x least" if bar["of_least"] else "\u00a0s"
     start = f"{bar['start']}: " if bar["start"] else ""
     return f"{start}{bar['measure']} {scale * bar['value']:.4g}{unit}"
 

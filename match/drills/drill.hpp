@@ -131,6 +131,9 @@ struct DrillBar {
   double at_least = std::numeric_limits<double>::quiet_NaN();
   double at_most = std::numeric_limits<double>::quiet_NaN();
   bool by_value = false;  ///< the rate itself is judged, not the end of its interval
+  /// the statistic counts in the same one of the trials' least times, so that a bar is as hard for every
+  /// robot
+  bool of_least = false;
 };
 
 /// A drill as read from its file.

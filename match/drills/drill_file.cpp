@@ -126,6 +126,7 @@ Schema schemaOf(DrillBar& b) {
       {"at_least", &b.at_least, -1e6, 1e6, "", ""},
       {"at_most", &b.at_most, -1e6, 1e6, "", ""},
       {"by_value", &b.by_value, 0, 1, "", "not by the interval"},
+      {"of_least", &b.of_least, 0, 1, "", "times as multiples of the least times"},
   };
 }
 
@@ -178,6 +179,31 @@ std::optional<Flaw> startFlaw(const DrillStart& start, int index) {
   return std::nullopt;
 }
 
+/// Whether `idealTime` knows a least time for the start.
+bool hasLeastTime(const Drill& drill, const DrillStart& start) {
+  if (start.task != DrillTask::kPlay)
+    return start.task == DrillTask::kReachPose || start.task == DrillTask::kTurn;
+  return std::any_of(drill.successes.begin(), drill.successes.end(), [](const DrillEnd& end) {
+    return end.what == DrillCondition::kTouched || end.what == DrillCondition::kGoal;
+  });
+}
+
+/// The flaw of a bar that counts in least times where there are none.
+std::optional<Flaw> leastTimeFlaw(const Drill& drill, const DrillBar& bar, int index) {
+  if (!bar.of_least) return std::nullopt;
+  if (bar.value != DrillMeasure::kTime || bar.statistic == DrillStatistic::kRate ||
+      bar.statistic == DrillStatistic::kCount)
+    return Flaw{"pass", index, "of_least", "asks for a mean, median or p95 of 'time'"};
+  for (const DrillStart& start : drill.starts) {
+    if ((bar.start.empty() || bar.start == start.name) && !hasLeastTime(drill, start))
+      return Flaw{
+          "pass", index, "of_least",
+          fmt::format("finds no least time in start '{}', which asks for no goal, touch, pose or turn",
+                      start.name)};
+  }
+  return std::nullopt;
+}
+
 std::optional<Flaw> barFlaw(const DrillBar& bar, int index) {
   const bool low = std::isfinite(bar.at_least);
   const bool high = std::isfinite(bar.at_most);
@@ -194,6 +220,7 @@ std::optional<Flaw> findFlaw(const Drill& drill) {
   }
   for (std::size_t i = 0; i < drill.bars.size(); ++i) {
     if (auto flaw = barFlaw(drill.bars[i], static_cast<int>(i))) return flaw;
+    if (auto flaw = leastTimeFlaw(drill, drill.bars[i], static_cast<int>(i))) return flaw;
   }
   for (std::size_t i = 0; i < drill.robots.size(); ++i) {
     if (drill.robots[i].at.empty()) return Flaw{"robot", static_cast<int>(i), "at", "has no place"};

@@ -25,6 +25,7 @@ std::string shown(const DrillBar& bar, double value) {
   if (!std::isfinite(value)) return value > 0.0 ? "never" : "-";
   if (bar.statistic == DrillStatistic::kRate) return fmt::format("{:.1f} %", 100.0 * value);
   if (bar.statistic == DrillStatistic::kCount) return fmt::format("{:.0f}", value);
+  if (bar.of_least) return fmt::format("{:.2f} x least", value);
   switch (bar.value) {
     case DrillMeasure::kError:
       return fmt::format("{:.2f} cm", 100.0 * value);
@@ -91,6 +92,7 @@ nlohmann::ordered_json jsonOf(const DrillVerdict& verdict) {
           {"high", number(verdict.value.high)},
           {"at_least", number(bar.at_least)},
           {"at_most", number(bar.at_most)},
+          {"of_least", bar.of_least},
           {"passed", verdict.passed}};
 }
 

@@ -116,16 +116,21 @@ Interval statisticOf(const DrillBar& bar, std::vector<double>& values) {
 std::vector<DrillVerdict> judgeTrials(const Drill& drill, const std::vector<DrillTrial>& trials) {
   std::vector<DrillVerdict> verdicts;
   for (const DrillBar& bar : drill.bars) {
-    std::vector<double> values;
+    std::vector<double> values, least;
     for (const DrillTrial& trial : trials) {
       const std::string& start = drill.starts[static_cast<std::size_t>(trial.start)].name;
-      if (trial.counted && (bar.start.empty() || bar.start == start))
-        values.push_back(valueOf(trial, bar.value));
+      if (!trial.counted || (!bar.start.empty() && bar.start != start)) continue;
+      values.push_back(valueOf(trial, bar.value));
+      least.push_back(trial.ideal);
     }
     DrillVerdict verdict;
     verdict.bar = bar;
     verdict.count = static_cast<int>(values.size());
     verdict.value = statisticOf(bar, values);
+    if (bar.of_least) {
+      const double ratio = verdict.value.value / statisticOf(bar, least).value;
+      verdict.value = {ratio, ratio, ratio};
+    }
     judge(verdict);
     verdicts.push_back(std::move(verdict));
   }
