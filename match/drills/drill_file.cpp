@@ -183,8 +183,9 @@ std::optional<Flaw> startFlaw(const DrillStart& start, int index) {
 bool hasLeastTime(const Drill& drill, const DrillStart& start) {
   if (start.task != DrillTask::kPlay)
     return start.task == DrillTask::kReachPose || start.task == DrillTask::kTurn;
-  return std::any_of(drill.successes.begin(), drill.successes.end(), [](const DrillEnd& end) {
-    return end.what == DrillCondition::kTouched || end.what == DrillCondition::kGoal;
+  return std::any_of(drill.successes.begin(), drill.successes.end(), [&](const DrillEnd& end) {
+    return end.what == DrillCondition::kTouched ||
+           (end.what == DrillCondition::kGoal && start.speed_max == 0.0);
   });
 }
 
@@ -196,10 +197,10 @@ std::optional<Flaw> leastTimeFlaw(const Drill& drill, const DrillBar& bar, int i
     return Flaw{"pass", index, "of_least", "asks for a mean, median or p95 of 'time'"};
   for (const DrillStart& start : drill.starts) {
     if ((bar.start.empty() || bar.start == start.name) && !hasLeastTime(drill, start))
-      return Flaw{
-          "pass", index, "of_least",
-          fmt::format("finds no least time in start '{}', which asks for no goal, touch, pose or turn",
-                      start.name)};
+      return Flaw{"pass", index, "of_least",
+                  fmt::format("finds no least time in start '{}': no pose, turn or touch, and no goal "
+                              "with a ball that rests",
+                              start.name)};
   }
   return std::nullopt;
 }

@@ -46,23 +46,23 @@ double timeToMeet(const DrillScene& scene, const MatchConfig& config) {
 }
 
 /// The least time in which one of the tested team's robots carries a resting ball into the opponents' goal:
-/// it drives to the place behind the ball, and on from there without a stop.
+/// it drives to the place behind the ball, and on from there without a stop. 0 without robots.
 double timeToScore(const DrillScene& scene, const MatchConfig& config) {
   const RobotModel& robot = config.robot.robot;
   const RobotPace pace(robot);
   const Vec2 ball = scene.placement.ball, goal{config.field.length / 2, 0.0};
   const Vec2 way = goal - ball;
   const Vec2 behind = ball - unitOr(way, {1.0, 0.0}) * (robot.length / 2 + config.robot.ball.radius);
-  double least = kLongest;
+  std::optional<double> least;
   for (const std::optional<Pose2>& pose : scene.placement.robots[indexOf(TeamId::kBlue)]) {
     if (!pose) continue;
     const Vec2 to = behind - pose->position;
     const double bearing = math::wrapAngle(math::angleOf(to) - pose->heading);
     const double arrives = std::min(pace.speed, std::sqrt(2.0 * pace.acceleration * norm(to)));
-    least =
-        std::min(least, timeToReach(pace, norm(to), folded(bearing)) + timeAlong(pace, norm(way), arrives));
+    const double time = timeToReach(pace, norm(to), folded(bearing)) + timeAlong(pace, norm(way), arrives);
+    least = std::min(least.value_or(time), time);
   }
-  return least;
+  return least.value_or(0.0);
 }
 
 bool hasSuccess(const Drill& drill, DrillCondition what) {
@@ -76,7 +76,8 @@ double idealTime(const Drill& drill, const DrillScene& scene, const MatchConfig&
   const DrillTask task = drill.starts[static_cast<std::size_t>(scene.start)].task;
   if (task == DrillTask::kPlay) {
     if (hasSuccess(drill, DrillCondition::kTouched)) return timeToMeet(scene, config);
-    return hasSuccess(drill, DrillCondition::kGoal) ? timeToScore(scene, config) : 0.0;
+    const bool rests = squaredNorm(scene.placement.ball_velocity) == 0.0;
+    return rests && hasSuccess(drill, DrillCondition::kGoal) ? timeToScore(scene, config) : 0.0;
   }
   const auto& pose = scene.placement.robots[indexOf(TeamId::kBlue)][0];
   if (!pose) return 0.0;

@@ -6,7 +6,8 @@
 namespace fulbito {
 
 /// Lower bound [s] of the time in which the tested team's first robot can do the scene's task, by the
-/// formulas of time to reach; 0 if there is none. In play that is the first touch, or else the goal.
+/// formulas of time to reach; 0 if there is none. In play that is the first touch,
+/// or else the goal with a ball that rests.
 double idealTime(const Drill& drill, const DrillScene& scene, const MatchConfig& config);
 
 }  // namespace fulbito
