@@ -195,6 +195,9 @@ std::optional<Flaw> leastTimeFlaw(const Drill& drill, const DrillBar& bar, int i
   if (bar.value != DrillMeasure::kTime || bar.statistic == DrillStatistic::kRate ||
       bar.statistic == DrillStatistic::kCount)
     return Flaw{"pass", index, "of_least", "asks for a mean, median or p95 of 'time'"};
+  if (drill.starts.empty() || drill.robots.empty())
+    return Flaw{"pass", index, "of_least",
+                "finds no least time without starts and robots of the drill's own"};
   for (const DrillStart& start : drill.starts) {
     if ((bar.start.empty() || bar.start == start.name) && !hasLeastTime(drill, start))
       return Flaw{"pass", index, "of_least",

@@ -367,6 +367,8 @@ TEST_CASE("a bar in least times needs times, and starts that have a least time",
              Catch::Contains("pass[0].of_least finds no least time in start 'all'"));
   CHECK_THAT(errorOf(replaced(timed, "[[start]]", "[[start]]\nspeed_max = 1.0\ntoward = [[0.7, 0.0]]")),
              Catch::Contains("pass[0].of_least finds no least time in start 'all'"));
+  CHECK_THAT(errorOf(replaced(timed, "[[robot]]\nat = [[0.3, 0]]\n", "")),
+             Catch::Contains("pass[0].of_least finds no least time without starts and robots"));
   CHECK_THAT(errorOf(replaced(kMinimal, "at_least = 0.5", "at_least = 0.5\nof_least = true")),
              Catch::Contains("pass[0].of_least asks for a mean, median or p95 of 'time'"));
 }
