@@ -13,6 +13,7 @@
 #include "engine/core/system/io_code.hpp"
 #include "engine/core/system/text_file.hpp"
 #include "match/drills/drill.hpp"
+#include "match/drills/ideal.hpp"
 
 namespace fulbito {
 
@@ -177,16 +178,6 @@ std::optional<Flaw> startFlaw(const DrillStart& start, int index) {
   if (start.speed_max > 0.0 && start.toward.empty())
     return Flaw{"start", index, "toward", "is missing: the ball moves"};
   return std::nullopt;
-}
-
-/// Whether `idealTime` knows a least time for the start.
-bool hasLeastTime(const Drill& drill, const DrillStart& start) {
-  if (start.task != DrillTask::kPlay)
-    return start.task == DrillTask::kReachPose || start.task == DrillTask::kTurn;
-  return std::any_of(drill.successes.begin(), drill.successes.end(), [&](const DrillEnd& end) {
-    return end.what == DrillCondition::kTouched ||
-           (end.what == DrillCondition::kGoal && start.speed_max == 0.0);
-  });
 }
 
 /// The flaw of a bar that counts in least times where there are none.

@@ -65,19 +65,29 @@ double timeToScore(const DrillScene& scene, const MatchConfig& config) {
   return least.value_or(0.0);
 }
 
-bool hasSuccess(const Drill& drill, DrillCondition what) {
-  return std::any_of(drill.successes.begin(), drill.successes.end(),
-                     [&](const DrillEnd& end) { return end.what == what; });
+/// Whether what is asked for in play is a touch, a goal and so on.
+bool asksFor(const Drill& drill, const DrillStart& start, DrillCondition what) {
+  return std::any_of(drill.successes.begin(), drill.successes.end(), [&](const DrillEnd& end) {
+    return end.what == what && (end.start.empty() || end.start == start.name);
+  });
 }
 
 }  // namespace
 
+bool hasLeastTime(const Drill& drill, const DrillStart& start) {
+  if (start.task != DrillTask::kPlay)
+    return start.task == DrillTask::kReachPose || start.task == DrillTask::kTurn;
+  return asksFor(drill, start, DrillCondition::kTouched) ||
+         (asksFor(drill, start, DrillCondition::kGoal) && start.speed_max == 0.0);
+}
+
 double idealTime(const Drill& drill, const DrillScene& scene, const MatchConfig& config) {
-  const DrillTask task = drill.starts[static_cast<std::size_t>(scene.start)].task;
+  const DrillStart& start = drill.starts[static_cast<std::size_t>(scene.start)];
+  const DrillTask task = start.task;
+  if (!hasLeastTime(drill, start)) return 0.0;
   if (task == DrillTask::kPlay) {
-    if (hasSuccess(drill, DrillCondition::kTouched)) return timeToMeet(scene, config);
-    const bool rests = squaredNorm(scene.placement.ball_velocity) == 0.0;
-    return rests && hasSuccess(drill, DrillCondition::kGoal) ? timeToScore(scene, config) : 0.0;
+    const bool race = asksFor(drill, start, DrillCondition::kTouched);
+    return race ? timeToMeet(scene, config) : timeToScore(scene, config);
   }
   const auto& pose = scene.placement.robots[indexOf(TeamId::kBlue)][0];
   if (!pose) return 0.0;
@@ -86,7 +96,7 @@ double idealTime(const Drill& drill, const DrillScene& scene, const MatchConfig&
   if (task == DrillTask::kReachPose) {
     return timeToReach(pace, distance(scene.exercise.target, pose->position), folded(turn));
   }
-  return task == DrillTask::kTurn ? timeToTurn(pace, std::abs(turn)) : 0.0;
+  return timeToTurn(pace, std::abs(turn));
 }
 
 }  // namespace fulbito

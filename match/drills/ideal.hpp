@@ -5,9 +5,12 @@
 
 namespace fulbito {
 
-/// Lower bound [s] of the time in which the tested team's first robot can do the scene's task, by the
-/// formulas of time to reach; 0 if there is none. In play that is the first touch,
-/// or else the goal with a ball that rests.
+/// Whether a least time is known for the start: for poses and turns, and in play for the first touch, or else
+/// for a goal with a ball that rests.
+bool hasLeastTime(const Drill& drill, const DrillStart& start);
+
+/// That time: a lower bound [s] of the time in which the tested team can do the scene's task, by the formulas
+/// of time to reach; 0 if there is none.
 double idealTime(const Drill& drill, const DrillScene& scene, const MatchConfig& config);
 
 }  // namespace fulbito

@@ -105,6 +105,12 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(text.find(from), from.size(), to);
 }
 
+/// The minimal drill with a bar of 1.5 least times.
+std::string inLeastTimes() {
+  return replaced(kMinimal, "value = \"success\"\nstatistic = \"rate\"\nat_least = 0.5",
+                  "value = \"time\"\nstatistic = \"median\"\nof_least = true\nat_most = 1.5");
+}
+
 }  // namespace
 
 TEST_CASE("all 21 drills are built in", "[unit]") {
@@ -337,9 +343,7 @@ TEST_CASE("the least time to score is that of a robot that carries the ball in",
 }
 
 TEST_CASE("bars may be multiples of the least times", "[unit]") {
-  const std::string bar = "value = \"time\"\nstatistic = \"median\"\nof_least = true\nat_most = 1.5";
-  const std::string rate = "value = \"success\"\nstatistic = \"rate\"\nat_least = 0.5";
-  Drill drill = drillOf(replaced(kMinimal, rate, bar));
+  Drill drill = drillOf(inLeastTimes());
   std::vector<DrillTrial> trials(3);
   const double times[] = {1.2, 3.0, 2.0}, least[] = {1.0, 1.5, 3.0};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -358,14 +362,16 @@ TEST_CASE("bars may be multiples of the least times", "[unit]") {
 }
 
 TEST_CASE("a bar in least times needs times, and starts that have a least time", "[unit]") {
-  const std::string ratio = "value = \"time\"\nstatistic = \"p95\"\nof_least = true\nat_most = 2.0";
-  const std::string rate = "value = \"success\"\nstatistic = \"rate\"\nat_least = 0.5";
-  const std::string timed = replaced(kMinimal, rate, ratio);
+  const std::string timed = inLeastTimes();
   CHECK(errorOf(timed).empty());
   CHECK(errorOf(replaced(timed, "what = \"goal\"", "what = \"touched\"")).empty());
   CHECK_THAT(errorOf(replaced(timed, "what = \"goal\"", "what = \"lasted\"")),
              Catch::Contains("pass[0].of_least finds no least time in start 'all'"));
   CHECK_THAT(errorOf(replaced(timed, "[[start]]", "[[start]]\nspeed_max = 1.0\ntoward = [[0.7, 0.0]]")),
+             Catch::Contains("pass[0].of_least finds no least time in start 'all'"));
+  // A success of another start does not count.
+  CHECK_THAT(errorOf(replaced(replaced(timed, "what = \"goal\"", "what = \"goal\"\nstart = \"other\""),
+                              "[[robot]]", "[[start]]\nname = \"other\"\nball = [[0, 0]]\n[[robot]]")),
              Catch::Contains("pass[0].of_least finds no least time in start 'all'"));
   CHECK_THAT(errorOf(replaced(timed, "[[robot]]\nat = [[0.3, 0]]\n", "")),
              Catch::Contains("pass[0].of_least finds no least time without starts and robots"));
