@@ -105,12 +105,6 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(text.find(from), from.size(), to);
 }
 
-/// The minimal drill with a bar of 1.5 least times.
-std::string inLeastTimes() {
-  return replaced(kMinimal, "value = \"success\"\nstatistic = \"rate\"\nat_least = 0.5",
-                  "value = \"time\"\nstatistic = \"median\"\nof_least = true\nat_most = 1.5");
-}
-
 }  // namespace
 
 TEST_CASE("all 21 drills are built in", "[unit]") {
@@ -318,65 +312,6 @@ TEST_CASE("nobody meets a crossing ball before the least time", "[unit]") {
     CHECK(trial.time - trial.ideal > -0.05);
   }
   CHECK(touched > 20);
-}
-
-TEST_CASE("the least time to score is that of a robot that carries the ball in", "[unit]") {
-  const Drill drill =
-      drillOf(replaced(tapIn("[[0.35, 0.0]]", "[[-0.4, 0.0]]"), "\nball_spread = [0.01, 0.05]", ""));
-  for (const char* name : {"vsss", "firasim"}) {
-    DrillOptions options;
-    options.team = still();
-    const DrillRun run{options, *loadRobot(name), *loadPhysics("standard")};
-    const auto match = drillMatch(run, drill);
-    REQUIRE(match);
-    const auto scene = drawScene(drill, *match, 7, 0);
-    REQUIRE(scene);
-    // It drives straight on for 0.4 m behind the ball, less the gap of their centres, and 0.4 m with the
-    // ball.
-    const RobotPace pace(run.robot.robot);
-    const double gap = run.robot.robot.length / 2 + run.robot.ball.radius;
-    const double speed = std::min(pace.speed, std::sqrt(2 * pace.acceleration * (0.4 - gap)));
-    INFO(name);
-    CHECK(idealTime(drill, *scene, *match) ==
-          Approx(timeAlong(pace, 0.4 - gap, 0.0) + timeAlong(pace, 0.4, speed)).margin(1e-6));
-  }
-}
-
-TEST_CASE("bars may be multiples of the least times", "[unit]") {
-  Drill drill = drillOf(inLeastTimes());
-  std::vector<DrillTrial> trials(3);
-  const double times[] = {1.2, 3.0, 2.0}, least[] = {1.0, 1.5, 3.0};
-  for (std::size_t i = 0; i < 3; ++i) {
-    trials[i].success = true;
-    trials[i].time = times[i];
-    trials[i].ideal = least[i];
-  }
-  const DrillVerdict verdict = judgeTrials(drill, trials).front();
-  CHECK(verdict.value.value == Approx(2.0 / 1.5));
-  CHECK(verdict.passed);
-  drill.bars.front().at_most = 1.3;
-  CHECK_FALSE(judgeTrials(drill, trials).front().passed);
-  // A trial that fails takes forever.
-  trials[0].time = trials[1].time = std::numeric_limits<double>::infinity();
-  CHECK_FALSE(judgeTrials(drill, trials).front().passed);
-}
-
-TEST_CASE("a bar in least times needs times, and starts that have a least time", "[unit]") {
-  const std::string timed = inLeastTimes();
-  CHECK(errorOf(timed).empty());
-  CHECK(errorOf(replaced(timed, "what = \"goal\"", "what = \"touched\"")).empty());
-  CHECK_THAT(errorOf(replaced(timed, "what = \"goal\"", "what = \"lasted\"")),
-             Catch::Contains("pass[0].of_least finds no least time in start 'all'"));
-  CHECK_THAT(errorOf(replaced(timed, "[[start]]", "[[start]]\nspeed_max = 1.0\ntoward = [[0.7, 0.0]]")),
-             Catch::Contains("pass[0].of_least finds no least time in start 'all'"));
-  // A success of another start does not count.
-  CHECK_THAT(errorOf(replaced(replaced(timed, "what = \"goal\"", "what = \"goal\"\nstart = \"other\""),
-                              "[[robot]]", "[[start]]\nname = \"other\"\nball = [[0, 0]]\n[[robot]]")),
-             Catch::Contains("pass[0].of_least finds no least time in start 'all'"));
-  CHECK_THAT(errorOf(replaced(timed, "[[robot]]\nat = [[0.3, 0]]\n", "")),
-             Catch::Contains("pass[0].of_least finds no least time without starts and robots"));
-  CHECK_THAT(errorOf(replaced(kMinimal, "at_least = 0.5", "at_least = 0.5\nof_least = true")),
-             Catch::Contains("pass[0].of_least asks for a mean, median or p95 of 'time'"));
 }
 
 TEST_CASE("rates are judged by their intervals", "[unit]") {
