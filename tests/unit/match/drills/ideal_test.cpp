@@ -77,12 +77,13 @@ TEST_CASE("a bar in least times needs times, and starts that have a least time",
   CHECK_THAT(errorOf(textOf("", "what = \"lasted\"\n", kInLeastTimes)), none);
   CHECK_THAT(errorOf(textOf("speed_max = 1.0\ntoward = [[0.7, 0.0]]\n", kGoal, kInLeastTimes)), none);
   // A success of another start does not count.
-  CHECK_THAT(errorOf(textOf("[[start]]\nname = \"other\"\nball = [[0.0, 0.0]]\n", kGoal + "start = \"other\"\n",
-                            kInLeastTimes)),
+  CHECK_THAT(errorOf(textOf("[[start]]\nname = \"other\"\nball = [[0.0, 0.0]]\n",
+                            kGoal + "start = \"other\"\n", kInLeastTimes)),
              none);
   CHECK_THAT(errorOf(textOf("", kGoal, kInLeastTimes, "")),
              Catch::Contains("pass[0].of_least finds no least time without starts and robots"));
-  CHECK_THAT(errorOf(textOf("", kGoal, "value = \"success\"\nstatistic = \"rate\"\nof_least = true\nat_least = 0.5\n")),
+  CHECK_THAT(errorOf(textOf("", kGoal,
+                            "value = \"success\"\nstatistic = \"rate\"\nof_least = true\nat_least = 0.5\n")),
              Catch::Contains("pass[0].of_least asks for a mean, median or p95 of 'time'"));
 }
 
