@@ -95,9 +95,8 @@ void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
     placed[1] = facing(ball - pitch.tuning.run_up * math::unit(hand * pitch.tuning.slant / 2), ball);
     placed[2] = facing({ownLine(pitch), hand * pitch.half_width / 2}, ball);
   } else {
-    const double hand = placed[1] && placed[1]->position.y < 0.0 ? -1.0 : 1.0;
-    placed[0] = Pose2{{-pitch.half_length + pitch.robot_half, hand * pitch.front}, 0.0};
     // Wide, out of the way of opponents that run at the ball: they would push the robots into the area.
+    const double hand = placed[1] && placed[1]->position.y < 0.0 ? -1.0 : 1.0;
     const double wide = pitch.half_width - pitch.bodies;
     const double places[] = {-wide, wide, -wide / 2, wide / 2};
     for (std::size_t i = 1; i < std::min<std::size_t>(5, static_cast<std::size_t>(pitch.team_size)); ++i) {

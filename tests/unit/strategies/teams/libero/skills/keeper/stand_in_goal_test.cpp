@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
@@ -19,6 +21,29 @@ TEST_CASE("libero's keeper keeps its line before a fast ball that it could be fi
     scene.robots[0] = {slip.keeper, Pose2{{-0.12, -0.05}, 0.0}};
     scene.robots[1] = {Pose2{{0.6, 0.0}, 0.0}, Pose2{{-0.276, 0.047}, math::kPi}};
     test::checkHolds(scene, 1.0);
+  }
+}
+
+// One that runs out at the taker opens both corners, and takers here shoot at the corners.
+TEST_CASE("libero's keeper begins their penalty side on in the middle of its goal, and stays there",
+          "[unit]") {
+  for (const char* robot : {"vsss", "firasim"}) {
+    CAPTURE(robot);
+    MatchConfig config = test::matchOf("libero", "idle", "vsss-3v3", 10.0);
+    config.robot = *loadRobot(robot);
+    config.placement_error = {0.0, 0.0};
+    config.opening =
+        makeCall(refereeSetup(config), {}, {RestartKind::kPenalty, TeamId::kYellow, {}, nullptr});
+    auto match = Match::create(config);
+    REQUIRE(match);
+    REQUIRE(match->step());
+    CHECK(match->world().balls.front().position.x == Approx(-0.375).margin(0.01));
+    while (match->seconds() < 2.0 && match->step()) {
+      const Pose2& keeper = match->world().robots[0].pose;
+      CHECK(keeper.position.x < -0.69);
+      CHECK(std::abs(keeper.position.y) < 0.06);
+      CHECK(std::abs(std::cos(keeper.heading)) < 0.1);
+    }
   }
 }
 
