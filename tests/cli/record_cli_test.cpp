@@ -1,15 +1,16 @@
 #include "tests/cli/sandbox.hpp"
+#include "tests/support/free_ports.hpp"
 
 // `fulbito record` and `fulbito replay send`, over real sockets on the loopback interface.
 namespace fulbito::test {
 namespace {
 
 /// Bash: ports of this test alone, and the commands at them, each in place of its shell.
-const std::string kWire =
-    "W=\"--port-base $((20100 + RANDOM)) --interface 127.0.0.1\"\n"
-    "record() { exec \"$F\" record \"$@\" $W --wait 60; }\n"
-    "send() { exec \"$F\" replay send \"$@\" $W; }\n"
-    "waiting() { until grep -q 'waiting for vision' $1; do sleep 0.05; done; }\n";
+const std::string kWire = "W=\"--port-base " + std::to_string(freePortBase()) +
+                          " --interface 127.0.0.1\"\n"
+                          "record() { exec \"$F\" record \"$@\" $W --wait 60; }\n"
+                          "send() { exec \"$F\" replay send \"$@\" $W; }\n"
+                          "waiting() { until grep -q 'waiting for vision' $1; do sleep 0.05; done; }\n";
 
 }  // namespace
 

@@ -1,4 +1,5 @@
 #include "tests/cli/sandbox.hpp"
+#include "tests/support/free_ports.hpp"
 
 // `fulbito serve` and the sample clients, over real sockets on the loopback interface.
 namespace fulbito::test {
@@ -6,7 +7,8 @@ namespace {
 
 /// Bash: ports of this test alone in $P, and functions that start the sample clients.
 const std::string kClients =
-    "P=$((20100 + RANDOM))\n"
+    "P=" + std::to_string(freePortBase()) +
+    "\n"
     "cpp() { '" FULBITO_CHASER_CLIENT
     "' $1 --port-base $P --interface 127.0.0.1 & }\n"
     "python() { PYTHONPATH='" FULBITO_CLIENT_MESSAGES "' '" FULBITO_PYTHON "' '" FULBITO_SOURCE_DIR

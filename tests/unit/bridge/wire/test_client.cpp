@@ -2,9 +2,6 @@
 
 #include <array>
 #include <chrono>
-#include <random>
-
-#include "bridge/wire/wire_server.hpp"
 
 namespace fulbito::wire::test {
 namespace {
@@ -27,17 +24,6 @@ OutsideOptions outsideOptions() {
   OutsideOptions options;
   options.clock = steadyTime;
   return options;
-}
-
-int freePortBase() {
-  std::random_device random;
-  for (;;) {
-    WireSettings settings;
-    settings.interface = kLoopback;
-    settings.team_ports = true;
-    settings.port_base = 20'100 + static_cast<int>(random() % 30'000U);
-    if (WireServer::open(settings, steadyTime, {})) return settings.port_base;
-  }
 }
 
 TestClient::TestClient(int port_base, Behaviour behaviour)

@@ -10,6 +10,7 @@
 #include "bridge/wire/udp.hpp"
 #include "bridge/wire/wire_settings.hpp"
 #include "bridge/wire/wire_teams.hpp"
+#include "tests/support/free_ports.hpp"
 
 namespace fulbito::wire::test {
 
@@ -21,8 +22,7 @@ std::int64_t steadyTime();
 /// Options with that clock.
 OutsideOptions outsideOptions();
 
-/// A first port whose ports nobody uses.
-int freePortBase();
+using fulbito::test::freePortBase;
 
 /// A client of one server, in a thread of its own: keeps what it hears, and answers each frame.
 class TestClient {

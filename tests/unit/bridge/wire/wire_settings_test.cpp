@@ -3,6 +3,7 @@
 #include <string>
 
 #include "tests/support/catch.hpp"
+#include "tests/unit/bridge/wire/test_client.hpp"
 
 namespace fulbito::wire {
 
@@ -49,6 +50,18 @@ TEST_CASE("the default ports are the league's", "[unit]") {
   CHECK(kDefaultPortBase + kCommandOffset == 20011);
   CHECK(kDefaultPortBase + kYellowOffset == 20012);
   CHECK(kDefaultPortBase + kBlueOffset == 20013);
+}
+
+TEST_CASE("ports of a test belong to it until it ends, and are not the default ones", "[unit]") {
+  const int first = test::freePortBase(), second = test::freePortBase();
+  for (const int offset : {kVisionOffset, kPlacementOffset, kCommandOffset, kBlueOffset}) {
+    CHECK(first + kVisionOffset != second + offset);
+    CHECK(first + kCommandOffset != second + offset);
+    CHECK(kDefaultPortBase + kVisionOffset != first + offset);
+    CHECK(kDefaultPortBase + kCommandOffset != first + offset);
+    // Linux gives ports from here on to sockets that name none.
+    CHECK(first + offset < 32'768);
+  }
 }
 
 TEST_CASE("only specifications that begin with `wire` are of the wire", "[unit]") {
