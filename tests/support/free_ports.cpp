@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kFirst = 11'000, kStep = 20, kCount = 440;
 static_assert(kFirst + kStep * kCount < wire::kDefaultPortBase + wire::kCommandOffset);
-static_assert(kFirst + kStep * kCount + wire::kBlueOffset < 32'768, "Linux's first port for whoever names none");
+static_assert(kFirst + kStep * kCount + wire::kBlueOffset < 32'768,
+              "Linux's first port for whoever names none");
 
 /// A socket at a port of the loopback interface, or -1.
 int bound(int type, int port) {
@@ -34,8 +35,8 @@ bool isFree(int port) {
 }
 
 bool areFree(int base) {
-  for (const int offset : {wire::kVisionOffset, wire::kRefereeOffset, wire::kPlacementOffset, wire::kCommandOffset,
-                           wire::kYellowOffset, wire::kBlueOffset}) {
+  for (const int offset : {wire::kVisionOffset, wire::kRefereeOffset, wire::kPlacementOffset,
+                           wire::kCommandOffset, wire::kYellowOffset, wire::kBlueOffset}) {
     if (!isFree(base + offset)) return false;
   }
   return true;
@@ -44,7 +45,8 @@ bool areFree(int base) {
 }  // namespace
 
 int freePortBase() {
-  // A TCP socket, which nothing here needs, marks the ports as taken: the system lets go of it when the process ends.
+  // A TCP socket, which nothing here needs, marks the ports as taken: the system lets go of it when the
+  // process ends.
   for (int tried = 0; tried < kCount; ++tried) {
     const int base = kFirst + kStep * ((::getpid() + tried) % kCount);
     const int mark = bound(SOCK_STREAM, base);
