@@ -57,7 +57,7 @@ class Block final : public School {
 
 TeamInfo blockInfo() {
   return describeTeam<School::Params, Block>("block", "wall of two in front of the area, which clears long",
-                                             {}, "univector:follower=classic");
+                                             School::parameters(), "univector:follower=classic");
 }
 
 }  // namespace fulbito::sparring

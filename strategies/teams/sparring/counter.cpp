@@ -55,8 +55,8 @@ class Counter final : public School {
 
 TeamInfo counterInfo() {
   return describeTeam<School::Params, Counter>(
-      "counter", "waits deep until it is first at the ball, then breaks fast with two robots", {},
-      "univector:follower=classic");
+      "counter", "waits deep until it is first at the ball, then breaks fast with two robots",
+      School::parameters(), "univector:follower=classic");
 }
 
 }  // namespace fulbito::sparring

@@ -53,8 +53,8 @@ class Dribbler final : public School {
 
 TeamInfo dribblerInfo() {
   return describeTeam<School::Params, Dribbler>(
-      "dribbler", "carries the ball along the side wall and hooks it in along the end wall", {},
-      "univector:follower=classic");
+      "dribbler", "carries the ball along the side wall and hooks it in along the end wall",
+      School::parameters(), "univector:follower=classic");
 }
 
 }  // namespace fulbito::sparring

@@ -42,8 +42,9 @@ class Kicker final : public School {
 }  // namespace
 
 TeamInfo kickerInfo() {
-  return describeTeam<School::Params, Kicker>(
-      "kicker", "strikes upfield at full speed, and all follow the ball", {}, "univector:follower=classic");
+  return describeTeam<School::Params, Kicker>("kicker",
+                                              "strikes upfield at full speed, and all follow the ball",
+                                              School::parameters(), "univector:follower=classic");
 }
 
 }  // namespace fulbito::sparring

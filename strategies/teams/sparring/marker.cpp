@@ -62,8 +62,8 @@ class Marker final : public School {
 
 TeamInfo markerInfo() {
   return describeTeam<School::Params, Marker>(
-      "marker", "man-marking: each field player stays goal-side of an opponent, one goes to the ball", {},
-      "univector:follower=classic");
+      "marker", "man-marking: each field player stays goal-side of an opponent, one goes to the ball",
+      School::parameters(), "univector:follower=classic");
 }
 
 }  // namespace fulbito::sparring

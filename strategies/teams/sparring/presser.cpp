@@ -25,8 +25,8 @@ class Presser final : public School {
 }  // namespace
 
 TeamInfo presserInfo() {
-  return describeTeam<School::Params, Presser>("presser", "two robots press whoever has the ball at once", {},
-                                               "univector:follower=classic");
+  return describeTeam<School::Params, Presser>("presser", "two robots press whoever has the ball at once",
+                                               School::parameters(), "univector:follower=classic");
 }
 
 }  // namespace fulbito::sparring

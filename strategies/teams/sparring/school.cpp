@@ -20,6 +20,10 @@ constexpr double kPressing = 0.12;  // [m] between the centres of ball and robot
 
 }  // namespace
 
+std::vector<Parameter<School::Params>> School::parameters() {
+  return {flag("spins", &Params::spins, "spin at any ball that is stuck, not at walls only")};
+}
+
 void School::begin(const MatchInfo& info) {
   info_ = info;
   foresight_ = Foresight(info);
@@ -115,6 +119,17 @@ std::optional<RobotCommand> School::spin(const Observation& now, std::size_t i, 
   return twist(now, i, {0.0, *sense * kYawRate});
 }
 
+SpinSettings School::spinsAnywhere() const {
+  constexpr double kGap = 0.01;  // [m] between a corner of the robot and the ball
+  SpinSettings settings;
+  settings.reach = info_.robot.circumradius() + info_.ball.radius + kGap;
+  settings.release = settings.reach + info_.ball.radius;
+  settings.slow = 0.6;
+  settings.wall = field().width;
+  settings.lock_out = 0.2;
+  return settings;
+}
+
 RobotCommand School::drive(const Observation& now, std::size_t i, DriveGoal goal) {
   return twist(now, i, memory_[i].drive.update(info_, now.own[i].state, goal));
 }
@@ -181,7 +196,8 @@ RobotCommand School::attack(const Observation& now, std::size_t i, const Style& 
     return stand(outsideArea(field(), ball + Vec2{0.1, 0.0}, true, 0.1));
   }
   DriveGoal goal{ball, direction(ball), style.bend, style.room};
-  if (const auto turn = spin(now, i, goal.direction, style.spins)) return *turn;
+  if (const auto turn = spin(now, i, goal.direction, params_.spins ? spinsAnywhere() : style.spins))
+    return *turn;
   // A ball that an opponent reaches first is hit straight, if that sends it upfield.
   constexpr double kReserve = 0.2, kUpfield = 0.0;  // [s], [1]
   const Vec2 straight = unitOr(ball - robot.pose.position, {1.0, 0.0});

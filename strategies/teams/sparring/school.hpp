@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "fulbito/detail/parameters.hpp"
 #include "fulbito/strategy.hpp"
 #include "strategies/prediction/foresight.hpp"
 #include "strategies/skills/ball_drive.hpp"
@@ -20,8 +21,13 @@ namespace fulbito::sparring {
 /// players do.
 class School : public Strategy {
  public:
-  struct Params {};
-  School(Params, NavigatorChoice navigator) : navigators_{std::move(navigator)} {}
+  struct Params {
+    bool spins = false;  ///< spins at any ball that is stuck, not at walls only
+  };
+  /// What a team's catalogue entry says of them.
+  static std::vector<Parameter<Params>> parameters();
+
+  School(Params params, NavigatorChoice navigator) : params_{params}, navigators_{std::move(navigator)} {}
 
   void begin(const MatchInfo& info) override;
   std::span<const NavigatorChoice> navigators() const override { return navigators_; }
@@ -89,6 +95,9 @@ class School : public Strategy {
   std::optional<RobotCommand> legal(const Observation& now, std::size_t i, bool first) const;
   std::optional<RobotCommand> yielding(const Observation& now, std::size_t i, std::size_t rank) const;
 
+  SpinSettings spinsAnywhere() const;
+
+  Params params_;
   std::vector<NavigatorChoice> navigators_;
   MatchInfo info_;
   Foresight foresight_;

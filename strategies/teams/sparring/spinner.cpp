@@ -39,8 +39,9 @@ class Spinner final : public School {
 }  // namespace
 
 TeamInfo spinnerInfo() {
-  return describeTeam<School::Params, Spinner>(
-      "spinner", "spins at walls, in duels and in front of both goals", {}, "univector:follower=classic");
+  return describeTeam<School::Params, Spinner>("spinner",
+                                               "spins at walls, in duels and in front of both goals",
+                                               School::parameters(), "univector:follower=classic");
 }
 
 }  // namespace fulbito::sparring

@@ -64,7 +64,7 @@ class Sweeper final : public School {
 
 TeamInfo sweeperInfo() {
   return describeTeam<School::Params, Sweeper>(
-      "sweeper", "a keeper that leaves its area for every ball that it reaches first", {},
+      "sweeper", "a keeper that leaves its area for every ball that it reaches first", School::parameters(),
       "univector:follower=classic");
 }
 

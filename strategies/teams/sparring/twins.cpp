@@ -48,7 +48,7 @@ class Twins final : public School {
 TeamInfo twinsInfo() {
   return describeTeam<School::Params, Twins>(
       "twins", "two attackers: one at the ball, the other at the spot where its passes and rebounds arrive",
-      {}, "univector:follower=classic");
+      School::parameters(), "univector:follower=classic");
 }
 
 }  // namespace fulbito::sparring

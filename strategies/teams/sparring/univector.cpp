@@ -67,7 +67,7 @@ class UnivectorSchool final : public School {
 TeamInfo univectorInfo() {
   return describeTeam<School::Params, UnivectorSchool>(
       "univector", "a univector field leads the attacker round opponents into the posture behind the ball",
-      {}, "univector:follower=classic");
+      School::parameters(), "univector:follower=classic");
 }
 
 }  // namespace fulbito::sparring

@@ -132,6 +132,7 @@ TEST_CASE("each school does what it is named after more than another does", "[un
   CHECK(habitsOf("presser").both_near > plain.both_near + 0.2);
   CHECK(habitsOf("kicker").both_near > plain.both_near + 0.035);
   CHECK(habitsOf("spinner").spins > plain.spins + 0.05);
+  CHECK(habitsOf("univector:spins=true").spins > plain.spins + 0.05);
   CHECK(habitsOf("sweeper").keeper_out > plain.keeper_out + 0.1);
   // The wall waits in front of its area, and those who counter wait as far from the ball.
   CHECK(habitsOf("block").far > plain.far + 0.15);
