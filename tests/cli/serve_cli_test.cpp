@@ -254,6 +254,7 @@ while True:
 TEST_CASE("without a referee the server ends after its simulated time", "[cli]") {
   const Sandbox box;
   const Output output = box.shell(kClients + "serve --no-referee --seconds 2 --speed 20\n");
+  INFO(output.err);
   CHECK(output.code == 0);
   CHECK(contains(output.out, "simulated 2.0 s without a referee: frames 120, commands 0, replacements 0\n"));
   CHECK(contains(output.out, "\nignored: malformed datagrams 0, "));
