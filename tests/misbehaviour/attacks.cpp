@@ -182,7 +182,8 @@ void meddleWithOthers(const Scene&) {
   cpu_set_t processors;
   ::sched_getaffinity(0, sizeof processors, &processors);
   const bool own = ::sched_setaffinity(0, sizeof processors, &processors) == 0 &&
-                   ::sched_setscheduler(0, SCHED_OTHER, &none) == 0 && ::setpriority(PRIO_PROCESS, 0, 1) == 0;
+                   ::sched_setscheduler(0, SCHED_OTHER, &none) == 0 &&
+                   ::setpriority(PRIO_PROCESS, 0, ::getpriority(PRIO_PROCESS, 0) + 1) == 0;
   tell("no say in its own scheduling", !own);
 }
 

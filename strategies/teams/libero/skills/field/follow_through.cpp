@@ -16,9 +16,10 @@ bool hasItInFront(const Pitch& pitch, const RobotState& self, Vec2 ball) {
   return rel.x > pitch.ball_radius && rel.x < pitch.around && std::abs(rel.y) < pitch.robot_half;
 }
 
-/// The point [m] of their goal's mouth next to where the ball rolls; empty if that is not ahead.
+/// The point [m] of their goal's mouth next to where the ball rolls; empty if that is not ahead. From our
+/// half no ball gets through, and the robot would be far forward once it comes back.
 std::optional<Vec2> mouthAhead(const Pitch& pitch, const BallState& ball) {
-  if (ball.velocity.x < pitch.tuning.lies) return std::nullopt;
+  if (ball.position.x < 0.0 || ball.velocity.x < pitch.tuning.lies) return std::nullopt;
   const double left = pitch.half_length - ball.position.x;
   const double most = pitch.goal_half - pitch.ball_radius;
   const double y = ball.position.y + ball.velocity.y / ball.velocity.x * left;

@@ -45,14 +45,15 @@ TEST_CASE("libero's robot pushes a ball on that rolls at their goal right in fro
 }
 
 TEST_CASE("libero's robot does not follow other balls", "[unit]") {
-  CHECK_FALSE(followed({.ball = {0.45, 0.10}}));  // far ahead
-  CHECK_FALSE(followed({.ball = {0.35, 0.15}}));  // beside it
-  CHECK_FALSE(followed({.ball = {0.24, 0.10}}));  // behind it
-  CHECK_FALSE(followed({.rolls = {0.05, 0.0}}));  // lies
-  CHECK_FALSE(followed({.rolls = {-0.5, 0.0}}));  // comes back
-  CHECK_FALSE(followed({.rolls = {0.5, 0.6}}));   // goes wide
-  CHECK_FALSE(followed({.speed = {0.1, 0.0}}));   // the robot stands
-  CHECK_FALSE(followed({.speed = {0.0, 0.9}}));   // drives past it
+  CHECK_FALSE(followed({.robot = {-0.10, 0.10}, .ball = {-0.03, 0.10}}));  // in our half
+  CHECK_FALSE(followed({.ball = {0.45, 0.10}}));                           // far ahead
+  CHECK_FALSE(followed({.ball = {0.35, 0.15}}));                           // beside it
+  CHECK_FALSE(followed({.ball = {0.24, 0.10}}));                           // behind it
+  CHECK_FALSE(followed({.rolls = {0.05, 0.0}}));                           // lies
+  CHECK_FALSE(followed({.rolls = {-0.5, 0.0}}));                           // comes back
+  CHECK_FALSE(followed({.rolls = {0.5, 0.6}}));                            // goes wide
+  CHECK_FALSE(followed({.speed = {0.1, 0.0}}));                            // the robot stands
+  CHECK_FALSE(followed({.speed = {0.0, 0.9}}));                            // drives past it
   CHECK_FALSE(followed({}, "vsss"));
   CHECK_FALSE(followed({}, "firasim", 0.34));  // spins
 }
