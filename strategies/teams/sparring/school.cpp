@@ -119,10 +119,14 @@ std::optional<RobotCommand> School::spin(const Observation& now, std::size_t i, 
   return twist(now, i, {0.0, *sense * kYawRate});
 }
 
-SpinSettings School::spinsAnywhere() const {
+double School::spinReach() const {
   constexpr double kGap = 0.01;  // [m] between a corner of the robot and the ball
+  return info_.robot.circumradius() + info_.ball.radius + kGap;
+}
+
+SpinSettings School::spinsAnywhere() const {
   SpinSettings settings;
-  settings.reach = info_.robot.circumradius() + info_.ball.radius + kGap;
+  settings.reach = spinReach();
   settings.release = settings.reach + info_.ball.radius;
   settings.slow = 0.6;
   settings.wall = field().width;

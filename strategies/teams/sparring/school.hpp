@@ -72,6 +72,8 @@ class School : public Strategy {
   /// Spins if the ball is stuck at robot `i` at a wall or between two robots.
   std::optional<RobotCommand> spin(const Observation& now, std::size_t i, Vec2 direction,
                                    const SpinSettings& settings = {});
+  /// Distance [m] from ball to robot, centre to centre, from which a turning robot can touch the ball.
+  double spinReach() const;
   /// Least time [s] in which an opponent reaches `place`.
   double theirTime(const Observation& now, Vec2 place) const;
   /// @}
@@ -90,12 +92,11 @@ class School : public Strategy {
     Unsticking unsticking;
   };
 
+  SpinSettings spinsAnywhere() const;
   void rank(const Observation& now);
   Vec2 pastOpponent(const Observation& now, Vec2 ball, Vec2 straight) const;
   std::optional<RobotCommand> legal(const Observation& now, std::size_t i, bool first) const;
   std::optional<RobotCommand> yielding(const Observation& now, std::size_t i, std::size_t rank) const;
-
-  SpinSettings spinsAnywhere() const;
 
   Params params_;
   std::vector<NavigatorChoice> navigators_;

@@ -28,7 +28,7 @@ class Spinner final : public School {
     const bool before_goal =
         std::abs(ball.x) > field().length / 2 - 0.3 && std::abs(ball.y) < field().goal_area_width / 2;
     style.spins.wall = duel || before_goal ? field().width : 0.08;
-    style.spins.reach = info().robot.circumradius() + info().ball.radius + 0.01;
+    style.spins.reach = spinReach();
     // A robot upfield of the ball would throw it at its own goal unless it stands at the ball's side.
     const Vec2 from = ball - now.own[i].state.pose.position;
     if (from.x < 0.0 && std::abs(from.y) < 0.5 * std::abs(from.x)) style.spins.reach = 0.0;

@@ -32,8 +32,8 @@ std::optional<Vec2> mouthAhead(const Pitch& pitch, const BallState& ball) {
 }  // namespace
 
 /// A struck ball slides, and has lost nearly a third of its speed once it rolls. A robot that stays behind it
-/// pushes it on, ever faster, and a keeper has less time. Where robots can shove, they are as fast without a
-/// run.
+/// pushes it on, ever faster, and a keeper has less time. Robots that can shove speed up so fast that they
+/// strike hard as it is.
 std::optional<Move> followThrough(const Picture& picture, int robot, Memory& memory) {
   const Pitch& pitch = picture.pitch;
   const RobotState& self = picture.own(robot);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fulbito/detail/math.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
 namespace fulbito::test {
