@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "fulbito/detail/math.hpp"
+#include "strategies/teams/libero/attack/press.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
 
@@ -38,7 +39,9 @@ std::optional<Move> followThrough(const Picture& picture, int robot, Memory& mem
   const Pitch& pitch = picture.pitch;
   const RobotState& self = picture.own(robot);
   const BallState& ball = picture.ball.now();
-  if (pitch.shoves || memory.spin.left > 0.0 || !hasItInFront(pitch, self, ball.position))
+  // A penalty's taker has aimed at the free corner, and a push would straighten the ball's way.
+  if (pitch.shoves || memory.spin.left > 0.0 || takesPenalty(picture) ||
+      !hasItInFront(pitch, self, ball.position))
     return std::nullopt;
   const auto target = mouthAhead(pitch, ball);
   if (!target) return std::nullopt;

@@ -2,17 +2,12 @@
 
 #include <utility>
 
+#include "strategies/teams/libero/attack/press.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
 
 namespace fulbito::libero::field {
 namespace {
-
-/// Whether a penalty has just begun. Its taker has to be at the ball before a keeper that runs out.
-bool isPenalty(const Picture& picture) {
-  return picture.seen.restart == RestartKind::kPenalty &&
-         picture.seen.since_restart < picture.tuning.patience;
-}
 
 /// The run of the last tick, as long as it leaves room, or the best one. A robot that took the best one in
 /// each tick would turn to and fro instead of speeding up.
@@ -34,7 +29,8 @@ std::optional<Move> volley(const Picture& picture, int robot, Memory& memory) {
       squaredNorm(picture.ball.now().velocity) < rolls * rolls)
     return std::nullopt;
   // Where nobody defends, no goal needs a run-up.
-  if (isPenalty(picture) || (!picture.hasOpponent(true) && !picture.hasOpponent(false))) return std::nullopt;
+  if (takesPenalty(picture) || (!picture.hasOpponent(true) && !picture.hasOpponent(false)))
+    return std::nullopt;
   const auto run = chosen(picture, robot, left);
   if (!run) return std::nullopt;
   memory.volley = run->time;

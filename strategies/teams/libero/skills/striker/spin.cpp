@@ -7,9 +7,14 @@
 namespace fulbito::libero::striker {
 namespace {
 
+void end(const Picture& picture, Memory::Spin& spin) {
+  spin.left = 0.0;
+  spin.locked = picture.tuning.spin_time;
+}
+
 Move turning(const Picture& picture, Memory::Spin& spin, const char* reason) {
   spin.left -= picture.seen.dt;
-  if (spin.left <= 0.0) spin.locked = picture.tuning.spin_time;
+  if (spin.left <= 0.0) end(picture, spin);
   return {.twist = {0.0, spin.sense * picture.tuning.spin_rate}, .reason = reason};
 }
 
@@ -30,8 +35,13 @@ bool beside(const Picture& picture, Vec2 rel, const Aim& aim) {
 
 }  // namespace
 
-std::optional<Move> spinOn(const Picture& picture, int /*robot*/, Memory& memory) {
+/// A robot whose ball has left has thrown it, and may be the first to reach it again.
+std::optional<Move> spinOn(const Picture& picture, int robot, Memory& memory) {
   if (memory.spin.left <= 0.0) return std::nullopt;
+  if (norm(picture.ballFrom(robot)) > picture.pitch.around) {
+    end(picture, memory.spin);
+    return std::nullopt;
+  }
   return turning(picture, memory.spin, "the spin is not over");
 }
 

@@ -14,10 +14,11 @@ struct Chase {
 };
 
 std::optional<libero::Move> followed(const Chase& chase, const char* model = "firasim",
-                                     double spin_left = 0.0) {
+                                     double spin_left = 0.0, RestartKind restart = RestartKind::kKickOff) {
   const libero::Pitch pitch(test::infoOf(3, model));
   Observation seen;
   seen.team_size = 3;
+  seen.restart = restart;
   seen.own[1] = test::standingAt({chase.robot, 0.0});
   seen.own[1].state.velocity = chase.speed;
   seen.ball.position = chase.ball;
@@ -55,7 +56,8 @@ TEST_CASE("libero's robot does not follow other balls", "[unit]") {
   CHECK_FALSE(followed({.speed = {0.1, 0.0}}));                            // the robot stands
   CHECK_FALSE(followed({.speed = {0.0, 0.9}}));                            // drives past it
   CHECK_FALSE(followed({}, "vsss"));
-  CHECK_FALSE(followed({}, "firasim", 0.2));  // spins
+  CHECK_FALSE(followed({}, "firasim", 0.2));                         // spins
+  CHECK_FALSE(followed({}, "firasim", 0.0, RestartKind::kPenalty));  // has aimed
 }
 
 TEST_CASE("libero scores more often from volleys that it follows", "[unit]") {

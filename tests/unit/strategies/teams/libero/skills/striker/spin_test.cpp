@@ -23,7 +23,31 @@ double spins(const char* model, Vec2 place, Vec2 robot, Vec2 opponent) {
   return move ? move->twist.angular : 0.0;
 }
 
+/// Whether a spin that has begun goes on with the ball `away` [m] from the robot. Where it does not, the next
+/// spin has to wait.
+bool spinsOn(double away) {
+  const libero::Pitch pitch(test::infoOf(3, "firasim"));
+  Observation seen;
+  seen.team_size = 3;
+  seen.own[1] = test::standingAt({{0.3, 0.2}, 0.0});
+  seen.ball.position = {0.3, 0.2 - away};
+  libero::BallForecast ball;
+  ball.take(seen.ball, {});
+  libero::Memory memory;
+  memory.spin.left = pitch.tuning.spin_time / 2;
+  const auto move = libero::striker::spinOn({seen, pitch, ball}, 1, memory);
+  CHECK((memory.spin.left > 0.0) == move.has_value());
+  CHECK((memory.spin.locked > 0.0) == !move.has_value());
+  return move.has_value();
+}
+
 }  // namespace
+
+TEST_CASE("a spin ends early once the ball has left", "[unit]") {
+  CHECK(spinsOn(0.06));
+  CHECK(spinsOn(0.10));
+  CHECK_FALSE(spinsOn(0.13));
+}
 
 TEST_CASE("robots that cannot push each other away spin: past their goal, or away from ours", "[unit]") {
   const Vec2 behind{-0.06, 0.0}, ahead{0.06, 0.0};
