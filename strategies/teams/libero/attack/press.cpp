@@ -12,7 +12,7 @@ bool disputesFreeBall(const Picture& picture) {
          picture.seen.since_restart < picture.tuning.patience;
 }
 
-bool takesPenalty(const Picture& picture) {
+bool isPenalty(const Picture& picture) {
   return picture.seen.restart == RestartKind::kPenalty &&
          picture.seen.since_restart <= picture.tuning.patience;
 }

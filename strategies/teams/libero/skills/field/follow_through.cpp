@@ -39,8 +39,8 @@ std::optional<Move> followThrough(const Picture& picture, int robot, Memory& mem
   const Pitch& pitch = picture.pitch;
   const RobotState& self = picture.own(robot);
   const BallState& ball = picture.ball.now();
-  // A penalty's taker has aimed at the free corner, and a push would straighten the ball's way.
-  if (pitch.shoves || memory.spin.left > 0.0 || takesPenalty(picture) ||
+  // The taker of a penalty has aimed, and a push may bend the ball's way.
+  if (pitch.shoves || memory.spin.left > 0.0 || isPenalty(picture) ||
       !hasItInFront(pitch, self, ball.position))
     return std::nullopt;
   const auto target = mouthAhead(pitch, ball);

@@ -29,8 +29,7 @@ std::optional<Move> volley(const Picture& picture, int robot, Memory& memory) {
       squaredNorm(picture.ball.now().velocity) < rolls * rolls)
     return std::nullopt;
   // Where nobody defends, no goal needs a run-up.
-  if (takesPenalty(picture) || (!picture.hasOpponent(true) && !picture.hasOpponent(false)))
-    return std::nullopt;
+  if (isPenalty(picture) || (!picture.hasOpponent(true) && !picture.hasOpponent(false))) return std::nullopt;
   const auto run = chosen(picture, robot, left);
   if (!run) return std::nullopt;
   memory.volley = run->time;
