@@ -12,11 +12,6 @@ bool disputesFreeBall(const Picture& picture) {
          picture.seen.since_restart < picture.tuning.patience;
 }
 
-bool isPenalty(const Picture& picture) {
-  return picture.seen.restart == RestartKind::kPenalty &&
-         picture.seen.since_restart <= picture.tuning.patience;
-}
-
 Vec2 firstTouch(const Picture& picture) {
   const Vec2 ball = picture.ball.now().position;
   if (picture.seen.restart != RestartKind::kFreeBall || !picture.pitch.isLarge() || !picture.pitch.shoves)

@@ -14,10 +14,6 @@ struct PressMemory {
 /// Whether a free ball is still disputed. Then its taker only drives at the ball.
 bool disputesFreeBall(const Picture& picture);
 
-/// Whether a penalty of either team has just begun. Its taker aims and strikes, at once if the keeper runs
-/// out.
-bool isPenalty(const Picture& picture);
-
 /// The wanted point [m] of the first touch. In five-a-side matches a free ball is met on its inner side.
 /// There it slips out between the two robots toward the side wall, away from the own goal.
 Vec2 firstTouch(const Picture& picture);

@@ -42,6 +42,10 @@ struct Picture {
   /// The ball [m] as seen from an own robot.
   Vec2 ballFrom(int i) const { return ball.now().position - own(i).pose.position; }
   bool disputes(int i) const { return dispute_left[static_cast<std::size_t>(i)] > 0.0; }
+  /// Whether a penalty of either team has just begun.
+  bool isPenalty() const {
+    return seen.restart == RestartKind::kPenalty && seen.since_restart <= tuning.patience;
+  }
   /// Number of opponents whose centres are within `radius` [m] of `place`.
   int opponentsNear(Vec2 place, double radius) const {
     int near = 0;

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "fulbito/detail/math.hpp"
-#include "strategies/teams/libero/attack/press.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
 
@@ -40,7 +39,7 @@ std::optional<Move> followThrough(const Picture& picture, int robot, Memory& mem
   const RobotState& self = picture.own(robot);
   const BallState& ball = picture.ball.now();
   // The taker of a penalty has aimed, and a push may bend the ball's way.
-  if (pitch.shoves || memory.spin.left > 0.0 || isPenalty(picture) ||
+  if (pitch.shoves || memory.spin.left > 0.0 || picture.isPenalty() ||
       !hasItInFront(pitch, self, ball.position))
     return std::nullopt;
   const auto target = mouthAhead(pitch, ball);

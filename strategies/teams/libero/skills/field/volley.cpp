@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "strategies/teams/libero/attack/press.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
 #include "strategies/teams/libero/playbook/skills.hpp"
 
@@ -29,7 +28,7 @@ std::optional<Move> volley(const Picture& picture, int robot, Memory& memory) {
       squaredNorm(picture.ball.now().velocity) < rolls * rolls)
     return std::nullopt;
   // Where nobody defends, no goal needs a run-up.
-  if (isPenalty(picture) || (!picture.hasOpponent(true) && !picture.hasOpponent(false))) return std::nullopt;
+  if (picture.isPenalty() || (!picture.hasOpponent(true) && !picture.hasOpponent(false))) return std::nullopt;
   const auto run = chosen(picture, robot, left);
   if (!run) return std::nullopt;
   memory.volley = run->time;

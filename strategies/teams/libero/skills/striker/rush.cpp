@@ -10,7 +10,7 @@ namespace {
 bool keeperRunsOut(const Picture& picture) {
   const Observation& seen = picture.seen;
   const Pitch& pitch = picture.pitch;
-  if (!isPenalty(picture) || !seen.restart_is_ours) return false;
+  if (!picture.isPenalty() || !seen.restart_is_ours) return false;
   if (seen.since_restart < 3 * pitch.tick) return true;
   for (int i = 0; i < seen.team_size; ++i) {
     if (!picture.opponentPresent(i)) continue;
