@@ -28,6 +28,13 @@ double slackOnFace(const Pitch& pitch, Vec2 contact) {
   return wallClearance(pitch.field, contact) > pitch.robot_corner ? pitch.robot_half / 2 : 0.0;
 }
 
+/// The robot turned on for a tick, as a command finds it that follows from what is seen now. Steering by the
+/// heading that is seen swings about its way, and the motors that turn it to and fro are missing for speed.
+RobotState turnedOn(const Pitch& pitch, RobotState self) {
+  self.pose.heading += self.angular_velocity * pitch.tick;
+  return self;
+}
+
 /// The mean yaw rate [rad/s] of a quarter turn.
 double meanTurn(const Pitch& pitch) { return math::kPi / 2 / pitch.turn_time; }
 
@@ -45,10 +52,9 @@ double alongWalls(const Pitch& pitch, Vec2 robot, double heading) {
 }  // namespace
 
 double roundGap(const Pitch& pitch, double x) {
-  const double speed = enteringSpeed(pitch);
+  const double speed = enteringSpeed(pitch), way = speed * speed / (2 * pitch.braking);
   const double part = std::clamp((1.0 + x / pitch.half_length) / 2, 0.0, 1.0);
-  return std::max(pitch.tuning.clearance,
-                  part * pitch.tuning.round_share * speed * speed / (2 * pitch.braking));
+  return std::max(pitch.tuning.clearance, part * std::min(way, pitch.robot_half));
 }
 
 double roundRadius(const Pitch& pitch, double x) { return pitch.touch + roundGap(pitch, x); }
@@ -80,7 +86,8 @@ Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec
     const bool comes_round = squaredNorm(rolling) < tuning.lies * tuning.lies &&
                              std::abs(math::wrapAngle(math::angleOf(way) - along)) > tuning.turn_in;
     const double led = alongWalls(pitch, self.pose.position, heading);
-    return alongHeading(pitch, self, led, comes_round ? arrivingSpeed(pitch, norm(way)) : pitch.speed);
+    return alongHeading(pitch, turnedOn(pitch, self), led,
+                        comes_round ? arrivingSpeed(pitch, norm(way)) : pitch.speed);
   }
   side = 0;
   const double to_touch = std::max(0.0, behind - pitch.front);
@@ -95,8 +102,8 @@ Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec
   const double touch = tuning.touch_speed + tuning.carried * std::max(0.0, dot(rolling, direction));
   const double speed =
       std::min(pitch.speed, touch + (to_touch + pitch.ball_radius) / std::max(needed, pitch.tick));
-  return alongHeading(pitch, self, heading, speed,
-                      to_touch < tuning.clearance ? tuning.push_gain : tuning.turn_gain);
+  if (to_touch < tuning.clearance) return alongHeading(pitch, self, heading, speed, tuning.push_gain);
+  return alongHeading(pitch, turnedOn(pitch, self), heading, speed);
 }
 
 }  // namespace fulbito::libero

@@ -4,9 +4,10 @@
 
 namespace fulbito::libero {
 
-/// Gap [m] between robot and ball on the way round a ball at `x` [m]. At their goal it is a share of the
-/// braking way, in which a robot that turns toward the ball still slides at it. Toward our goal it falls to
-/// the clearance: there the first touch is worth more than a clean one.
+/// Gap [m] between robot and ball on the way round a ball at `x` [m]. At their goal it is the braking way, in
+/// which a robot that turns toward the ball still slides at it, but at most half of its body: a wider circle
+/// leaves the ball to opponents. Toward our goal it falls to the clearance: there the first touch is worth
+/// more than a clean one.
 double roundGap(const Pitch& pitch, double x);
 
 /// Radius [m] of the circle on which a robot drives round a ball at `x` [m].

@@ -45,8 +45,11 @@ inline Match matchFrom(MatchConfig config, const Placement& scene) {
 }
 
 /// The match after `seconds` from `scene`, with libero as blue.
-inline Match playedFrom(const Placement& scene, double seconds, const char* yellow = "idle") {
-  Match match = matchFrom(matchOf("libero", yellow, "vsss-3v3", 10.0), scene);
+inline Match playedFrom(const Placement& scene, double seconds, const char* yellow = "idle",
+                        const char* model = "vsss") {
+  MatchConfig config = matchOf("libero", yellow, "vsss-3v3", 10.0);
+  config.robot = *loadRobot(model);
+  Match match = matchFrom(config, scene);
   while (match.seconds() < seconds && match.step()) {
   }
   return match;

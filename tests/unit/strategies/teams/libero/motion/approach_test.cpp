@@ -73,6 +73,20 @@ TEST_CASE("a robot that has the ball pushes it straight on, wherever it lies on 
   }
 }
 
+TEST_CASE("a robot on its way to the ball stops turning a tick before its heading is right", "[unit]") {
+  for (const char* model : {"vsss", "firasim"}) {
+    const libero::Pitch pitch(test::infoOf(3, model));
+    RobotState robot;
+    robot.angular_velocity = 4.0;
+    robot.pose = {{-0.4, 0.0}, -robot.angular_velocity * pitch.tick};
+    int hand = 0;
+    CHECK(std::abs(libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, {}, hand).angular) < 1e-9);
+    // With the ball at its face, it pushes on: there a firm turn counts more than a calm one.
+    robot.pose.position.x = -pitch.front;
+    CHECK(libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, {}, hand).angular > 0.1);
+  }
+}
+
 TEST_CASE("libero overtakes a rolling ball whose direction it has to mend", "[unit]") {
   const libero::Pitch pitch(test::infoOf(3));
   for (const double side : {1.0, -1.0}) {
