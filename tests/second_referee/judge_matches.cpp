@@ -1,6 +1,7 @@
 #include "tests/second_referee/judge_matches.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -34,8 +35,12 @@ T need(Result<T> result) {
 
 Match matchOf(const std::string& blue, const std::string& yellow, const Rules& rules, double half_seconds,
               std::uint64_t seed) {
+  return matchOf({need(parseTeam(blue)), need(parseTeam(yellow))}, rules, half_seconds, seed);
+}
+
+Match matchOf(PerTeam<TeamChoice> teams, const Rules& rules, double half_seconds, std::uint64_t seed) {
   MatchConfig config;
-  config.teams = {need(parseTeam(blue)), need(parseTeam(yellow))};
+  config.teams = std::move(teams);
   config.rules = rules;
   config.rules.half_seconds = half_seconds;
   config.field = need(loadField(rules.field));

@@ -23,6 +23,9 @@ std::vector<Rules> judgedRules();
 Match matchOf(const std::string& blue, const std::string& yellow, const Rules& rules, double half_seconds,
               std::uint64_t seed);
 
+/// The same of any two teams.
+Match matchOf(PerTeam<TeamChoice> teams, const Rules& rules, double half_seconds, std::uint64_t seed);
+
 /// Plays match number `index`, counted from 0, and adds to the verdict: match by match all pairings of the
 /// built-in teams; after each round of them the next profile. The match's seed is `first_seed + index`.
 void judgeMatch(int index, double half_seconds, std::uint64_t first_seed, Verdict& verdict);
