@@ -6,6 +6,25 @@
 #include "strategies/teams/libero/playbook/skills.hpp"
 
 namespace fulbito::libero::striker {
+namespace {
+
+/// The most speed [m/s] of a strike. A robot that pushes the ball along their end wall while no opponent is
+/// near keeps to a speed with which it can turn with the ball into the mouth: in a quarter turn, it drives
+/// the way from its centre to the ball's. A faster push sends the ball past the mouth. Never slower than the
+/// ball, which would leave the robot behind.
+double mostSpeed(const Picture& picture, int robot, Vec2 direction) {
+  const Pitch& pitch = picture.pitch;
+  const BallState& ball = picture.ball.now();
+  const bool at_their_end =
+      isAtWall(pitch, ball.position) && ball.position.x > pitch.half_length - pitch.robot_corner;
+  if (!at_their_end || norm(picture.ballFrom(robot)) > pitch.touch + pitch.ball_radius ||
+      picture.opponentsNear(ball.position, picture.tuning.rival_near) > 0)
+    return pitch.speed;
+  const double turning = pitch.front / pitch.turn_time;
+  return std::min(pitch.speed, std::max(turning, dot(direction, ball.velocity)));
+}
+
+}  // namespace
 
 std::optional<Move> strike(const Picture& picture, int robot, Memory& memory) {
   const Tuning& tuning = picture.tuning;
@@ -21,6 +40,8 @@ std::optional<Move> strike(const Picture& picture, int robot, Memory& memory) {
   const double round = roundRadius(pitch, aim.contact.x) + crowd * roundGap(pitch, aim.contact.x);
   Move move{.reason = aim.wall ? "along the wall" : "at the widest gap", .ball = shot.ball};
   move.twist = driveThrough(pitch, self, aim.contact, aim.direction, round, now.velocity, memory.strike.side);
+  const double most = mostSpeed(picture, robot, aim.direction);
+  move.twist.linear = std::clamp(move.twist.linear, -most, most);
   move.place = insideWalls(pitch.field, aim.contact - aim.direction * pitch.front, pitch.robot_half);
   move.target =
       aim.wall ? insideWalls(pitch.field, shot.ball + aim.direction * pitch.around, 0.0) : shot.target;

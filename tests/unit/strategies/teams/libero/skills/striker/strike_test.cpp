@@ -32,6 +32,24 @@ TEST_CASE("a lone libero brings a resting ball into the right goal", "[unit]") {
   CHECK(scored == 5);
 }
 
+TEST_CASE("a lone libero turns with a ball from their end wall into the mouth", "[unit]") {
+  for (const char* model : {"vsss", "firasim"}) {
+    int scenes = 0, scored = 0;
+    for (const double y : {0.3, 0.35, 0.4, 0.45, 0.5}) {
+      for (const Vec2 off : {Vec2{-0.04, 0.08}, Vec2{-0.05, 0.1}}) {
+        for (const double turned : {-0.8, -1.57, -2.3}) {
+          const Vec2 ball{0.727, y};
+          const double seconds = test::scoresAlone(ball, {ball + off, turned}, ++scenes % 2 ? 1.0 : -1.0, model);
+          scored += seconds < 3.0 ? 1 : 0;
+        }
+      }
+    }
+    // At full speed it takes the ball past the mouth in nine of ten scenes.
+    CAPTURE(model);
+    CHECK(scored > scenes / 2);
+  }
+}
+
 TEST_CASE("libero holds against one who presses on its ball head-on", "[unit]") {
   Placement scene;
   scene.ball = {-0.007, 0.046};
