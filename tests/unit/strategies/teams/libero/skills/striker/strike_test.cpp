@@ -39,7 +39,8 @@ TEST_CASE("a lone libero turns with a ball from their end wall into the mouth", 
       for (const Vec2 off : {Vec2{-0.04, 0.08}, Vec2{-0.05, 0.1}}) {
         for (const double turned : {-0.8, -1.57, -2.3}) {
           const Vec2 ball{0.727, y};
-          const double seconds = test::scoresAlone(ball, {ball + off, turned}, ++scenes % 2 ? 1.0 : -1.0, model);
+          const double seconds =
+              test::scoresAlone(ball, {ball + off, turned}, ++scenes % 2 ? 1.0 : -1.0, model);
           scored += seconds < 3.0 ? 1 : 0;
         }
       }
