@@ -88,8 +88,9 @@ std::optional<Volley> runAt(const Picture& picture, const Runner& self, double t
   const auto flown = flight.crosses(pitch.half_length);
   if (!flown || *flown > BallForecast::kSteps * BallForecast::kStep) return std::nullopt;
   const Vec2 target = flight.at(*flown);
+  // A ball that would touch the post from outside still goes in if the run mends its aim on the way.
   const double beside = widest - std::abs(target.y);
-  if (beside <= std::max(0.0, needed)) return std::nullopt;
+  if (beside <= std::max(-2 * pitch.ball_radius, needed)) return std::nullopt;
   const double room = std::min(beside, gapToOpponents(picture, flight, time, *flown, needed));
   return Volley{time, ball, math::angleOf(way), spare, room, target};
 }
@@ -104,7 +105,9 @@ Hit hitOf(const Pitch& pitch, Vec2 rolling, Vec2 ahead, double speed) {
   return {rolling + change, rolling + change * pitch.roll_keep};
 }
 
-double leastRoom(const Picture& picture) { return picture.hasOpponent(false) ? -picture.pitch.front : 0.0; }
+double leastRoom(const Picture& picture) {
+  return picture.hasOpponent(false) ? std::numeric_limits<double>::lowest() : 0.0;
+}
 
 std::optional<Volley> volleyAt(const Picture& picture, int robot, double time) {
   return runAt(picture, Runner(picture.own(robot)), time, std::numeric_limits<double>::lowest());

@@ -6,7 +6,8 @@
 
 namespace fulbito::libero {
 
-/// A straight run of a robot that meets a rolling ball and sends it into the opponents' goal.
+/// A straight run of a robot that meets a rolling ball and sends it into the opponents' goal, or against a
+/// post.
 struct Volley {
   double time = 0.0;     ///< [s] from now until they meet
   Vec2 ball;             ///< [m] the ball's position then
@@ -26,13 +27,14 @@ struct Hit {
 /// `rolling` [m/s]. The models of robot and ball give bounce, friction and spin.
 Hit hitOf(const Pitch& pitch, Vec2 rolling, Vec2 ahead, double speed);
 
-/// The least gap [m] of a run that is worth it. An opponent that just reaches the ball's way with its face
-/// will hardly stop the ball, since it does not know that way before the hit. So only one whose middle gets
-/// there in time counts. Alone against a keeper, nobody takes the ball from a robot that waits for a gap.
+/// The least gap [m] of a run that is worth it. Opponents do not know the ball's way before the hit, and a
+/// ball that is not shot at once is theirs as soon as ours. So any gap is enough, and the widest is the best.
+/// Alone against a keeper, nobody takes the ball from a robot that waits for a free way.
 double leastRoom(const Picture& picture);
 
 /// The run that meets the ball at `time` [s] from now. Empty if the robot would come late, the ball runs away
-/// from it, or it would miss the goal. The gap to opponents is what their fastest way to the ball leaves.
+/// from it, or it would miss both goal and posts. The gap to opponents is what their fastest way to the ball
+/// leaves.
 std::optional<Volley> volleyAt(const Picture& picture, int robot, double time);
 
 /// The run with the widest gap. While a robot waits for the ball, opponents come nearer, so a wait costs the

@@ -1,5 +1,6 @@
 #include "strategies/teams/libero/attack/volley.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fulbito/detail/math.hpp"
@@ -12,10 +13,11 @@ namespace {
 
 /// A ball that rolls across in front of a robot at rest.
 struct Crossing {
-  explicit Crossing(double side, Vec2 velocity = {0.05, -0.5}) : info(test::infoOf(3, "firasim")) {
+  explicit Crossing(double side, Vec2 velocity = {0.05, -0.5}, Vec2 from = {0.42, 0.3})
+      : info(test::infoOf(3, "firasim")) {
     seen.team_size = 3;
     seen.own[1] = test::standingAt({{0.05, -0.35 * side}, 0.0});
-    seen.ball.position = {0.42, 0.3 * side};
+    seen.ball.position = {from.x, from.y * side};
     seen.ball.velocity = seen.ball.spin = {velocity.x, velocity.y * side};
     BallPrediction way;
     way.predict(BallCourse(info.field, info.ball, info.physics), seen.ball);
@@ -113,6 +115,36 @@ TEST_CASE("libero shoots where an opponent's face may just reach the ball's way,
     narrow += run->room < 0.0 ? 1 : 0;
   }
   CHECK(narrow > 0);
+}
+
+TEST_CASE("libero shoots a crossing ball although opponents could get into its way", "[unit]") {
+  int reached = 0;
+  for (double y = -0.30; y < 0.31; y += 0.05) {
+    // Both takers of a free ball have thrown it: it crosses farther from the goal, and flies longer.
+    Crossing scene(1.0, {-0.05, -0.5}, {0.34, 0.3});
+    scene.seen.opponents[1] = test::standingAt({{0.50, y - 0.05}, math::kPi});
+    scene.seen.opponents[2] = test::standingAt({{0.50, y + 0.05}, math::kPi});
+    const auto run = libero::bestVolley(scene.picture(), 1);
+    REQUIRE(run);
+    reached += run->room < -scene.pitch.front ? 1 : 0;
+  }
+  CHECK(reached > 0);
+}
+
+TEST_CASE("libero's volley goes at most as far beside the goal as a ball that touches the post", "[unit]") {
+  double farthest = 0.0;
+  for (double y = -0.60; y < 0.61; y += 0.02) {
+    Crossing scene(1.0);
+    scene.seen.own[1] = test::standingAt({{0.05, y}, 0.0});
+    scene.seen.opponents[1] = test::standingAt({{-0.6, 0.0}, 0.0});
+    for (double time = 0.0; time < 1.5; time += 0.05) {
+      const auto run = libero::volleyAt(scene.picture(), 1, time);
+      if (run) farthest = std::max(farthest, std::abs(run->target.y));
+    }
+  }
+  const libero::Pitch pitch(test::infoOf(3, "firasim"));
+  CHECK(farthest > pitch.goal_half);
+  CHECK(farthest < pitch.goal_half + pitch.ball_radius);
 }
 
 TEST_CASE("libero plays no volley at a ball that runs away or that it cannot reach in time", "[unit]") {
