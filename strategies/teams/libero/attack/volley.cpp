@@ -6,6 +6,7 @@
 
 #include "fulbito/detail/math.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
+#include "strategies/teams/libero/attack/press.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -65,6 +66,12 @@ double priceOf(const Picture& picture, double spare) {
   return wayFromRest(picture.pitch.pace, std::max(0.0, spare));
 }
 
+/// How far [m] beside the mouth the ball may go. One that would touch the post from outside still goes in if
+/// the run mends its aim on the way.
+double mostBeside(const Picture& picture) {
+  return disputesFreeBall(picture) ? 2 * picture.pitch.ball_radius : 0.0;
+}
+
 /// The run of `self` that meets the ball at `time` [s] from now, if its room less the price of its wait may
 /// be more than `most` [m].
 std::optional<Volley> runAt(const Picture& picture, const Runner& self, double time, double most) {
@@ -88,9 +95,8 @@ std::optional<Volley> runAt(const Picture& picture, const Runner& self, double t
   const auto flown = flight.crosses(pitch.half_length);
   if (!flown || *flown > BallForecast::kSteps * BallForecast::kStep) return std::nullopt;
   const Vec2 target = flight.at(*flown);
-  // A ball that would touch the post from outside still goes in if the run mends its aim on the way.
   const double beside = widest - std::abs(target.y);
-  if (beside <= std::max(-2 * pitch.ball_radius, needed)) return std::nullopt;
+  if (beside <= std::max(-mostBeside(picture), needed)) return std::nullopt;
   const double room = std::min(beside, gapToOpponents(picture, flight, time, *flown, needed));
   return Volley{time, ball, math::angleOf(way), spare, room, target};
 }
@@ -106,7 +112,8 @@ Hit hitOf(const Pitch& pitch, Vec2 rolling, Vec2 ahead, double speed) {
 }
 
 double leastRoom(const Picture& picture) {
-  return picture.hasOpponent(false) ? std::numeric_limits<double>::lowest() : 0.0;
+  if (!picture.hasOpponent(false)) return 0.0;
+  return disputesFreeBall(picture) ? std::numeric_limits<double>::lowest() : -picture.pitch.front;
 }
 
 std::optional<Volley> volleyAt(const Picture& picture, int robot, double time) {

@@ -27,9 +27,11 @@ struct Hit {
 /// `rolling` [m/s]. The models of robot and ball give bounce, friction and spin.
 Hit hitOf(const Pitch& pitch, Vec2 rolling, Vec2 ahead, double speed);
 
-/// The least gap [m] of a run that is worth it. Opponents do not know the ball's way before the hit, and a
-/// ball that is not shot at once is theirs as soon as ours. So any gap is enough, and the widest is the best.
-/// Alone against a keeper, nobody takes the ball from a robot that waits for a free way.
+/// The least gap [m] of a run that is worth it. An opponent that just reaches the ball's way with its face
+/// will hardly stop the ball, since it does not know that way before the hit. So only one whose middle gets
+/// there in time counts. A free ball that is thrown but not shot is theirs as soon as ours, so there any gap
+/// is enough. Where all opponents are in their area, nobody takes the ball from a robot that waits for a free
+/// way.
 double leastRoom(const Picture& picture);
 
 /// The run that meets the ball at `time` [s] from now. Empty if the robot would come late, the ball runs away
