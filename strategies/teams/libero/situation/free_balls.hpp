@@ -14,9 +14,9 @@ class FreeBalls {
   /// @param soon        [s] after the signal: a goal until then counts as that of the free ball
   void watch(const Observation& seen, bool play_began, double soon);
 
-  /// Whether one brought a goal, and at least half of them do. Until the first goal it is not worth a wait:
-  /// opponents that leave free balls open show it without one.
-  bool pay() const { return goals_ > 0 && 2 * goals_ >= taken_ - (open_ ? 1 : 0); }
+  /// Whether to wait for one: until those that brought nothing are two more than those that brought a goal.
+  /// Against an equal, play that goes on brings more than a free ball.
+  bool pay() const { return taken_ - (open_ ? 1 : 0) - 2 * goals_ < 2; }
 
  private:
   int taken_ = 0, goals_ = 0;

@@ -23,7 +23,7 @@ struct Picture {
   double stuck = 0.0;  ///< [s] time that the ball has stayed in a circle, as referees measure it
   /// [s] time for which each own robot still counts as disputing the ball; 0: it has not touched it recently.
   std::array<double, kMaxTeamSize> dispute_left{};
-  /// Whether free balls in the opponents' half become goals in this match.
+  /// Whether free balls in the opponents' half are worth a wait in this match.
   bool free_balls_pay = false;
   /// @{ What the choice of roles adds.
   int keeper = -1;   ///< the robot that keeps goal; -1: none

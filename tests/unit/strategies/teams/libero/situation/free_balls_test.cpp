@@ -28,27 +28,27 @@ struct Play {
 
 }  // namespace
 
-TEST_CASE("free balls pay once at least half of them bring goals", "[unit]") {
+TEST_CASE("free balls pay until two more have brought nothing than a goal", "[unit]") {
   Play play;
-  CHECK_FALSE(play.free_balls.pay());
-  play.restart(RestartKind::kFreeBall, true, 0, 20.0);
-  CHECK_FALSE(play.free_balls.pay());
-  play.restart(RestartKind::kFreeBall, true, 1, 2.0);  // one of two
   CHECK(play.free_balls.pay());
-  play.restart(RestartKind::kFreeBall, true, 0, 20.0);  // one of three
+  play.restart(RestartKind::kFreeBall, true, 0, 20.0);
+  CHECK(play.free_balls.pay());
+  play.restart(RestartKind::kFreeBall, true, 0, 20.0);  // none of two
+  CHECK_FALSE(play.free_balls.pay());
+  play.restart(RestartKind::kFreeBall, true, 1, 2.0);  // one of three
+  CHECK(play.free_balls.pay());
+  play.restart(RestartKind::kFreeBall, true, 0, 20.0);  // one of four
   CHECK_FALSE(play.free_balls.pay());
   play.restart(RestartKind::kFreeBall, true, 1, 2.0);
-  play.restart(RestartKind::kFreeBall, true, 1, 2.0);  // three of five
-  CHECK(play.free_balls.pay());
-  play.free_balls.forget();
+  play.restart(RestartKind::kFreeBall, true, 0, 20.0);  // two of six
   CHECK_FALSE(play.free_balls.pay());
+  play.free_balls.forget();
+  CHECK(play.free_balls.pay());
 }
 
 TEST_CASE("a free ball that has just begun is not yet one without a goal", "[unit]") {
   Play play;
-  play.restart(RestartKind::kFreeBall, true, 1, 2.0);
   play.restart(RestartKind::kFreeBall, true, 0, 20.0);
-  CHECK(play.free_balls.pay());
   play.restart(RestartKind::kFreeBall, true, 0, 2.0);  // it might still bring one
   CHECK(play.free_balls.pay());
   play.seen.playing = true;
@@ -62,7 +62,15 @@ TEST_CASE("late goals and those of other restarts say nothing about free balls i
   play.restart(RestartKind::kFreeBall, true, 1, 20.0);
   play.restart(RestartKind::kFreeBall, false, 1, 2.0);
   play.restart(RestartKind::kKickOff, true, 1, 2.0);
-  CHECK_FALSE(play.free_balls.pay());
+  play.restart(RestartKind::kFreeBall, true, 0, 20.0);
+  CHECK_FALSE(play.free_balls.pay());  // none of two
+}
+
+TEST_CASE("free balls of the other team say nothing", "[unit]") {
+  Play play;
+  play.restart(RestartKind::kFreeBall, false, 0, 20.0);
+  play.restart(RestartKind::kFreeBall, false, 0, 20.0);
+  CHECK(play.free_balls.pay());
 }
 
 }  // namespace fulbito

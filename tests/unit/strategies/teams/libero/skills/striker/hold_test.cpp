@@ -20,8 +20,8 @@ WallScene duel(double side) {
   return scene;
 }
 
-/// A libero to which the free balls of their half have brought a goal before.
-class Encouraged final : public Strategy {
+/// A libero to which two free balls of their half have brought nothing before.
+class Discouraged final : public Strategy {
  public:
   void begin(const MatchInfo& info) override {
     libero_->begin(info);
@@ -31,10 +31,12 @@ class Encouraged final : public Strategy {
     libero_->decide(past);
     past.restart = RestartKind::kFreeBall;
     past.restart_is_ours = true;
-    past.since_restart = 0.0;
-    libero_->decide(past);
-    past.own_score = 1;
-    libero_->decide(past);
+    for (int taken = 0; taken < 2; ++taken) {
+      for (const double since : {0.0, 20.0}) {
+        past.since_restart = since;
+        libero_->decide(past);
+      }
+    }
   }
   TeamCommand decide(const Observation& observation) override { return libero_->decide(observation); }
   std::optional<TeamProposal> place(const PlacementRequest& request) override {
@@ -80,7 +82,7 @@ TEST_CASE("libero holds no ball for a free ball that nobody gives", "[unit]") {
   CHECK_FALSE(never.move(libero::striker::hold));
 }
 
-TEST_CASE("once free balls pay, libero holds a ball against an opponent that pushes", "[unit]") {
+TEST_CASE("libero holds a ball against an opponent that pushes, as long as free balls pay", "[unit]") {
   MatchConfig config = test::matchOf("libero", "chaser", "vsss-3v3", 20.0);
   config.robot = *loadRobot("firasim");
   Placement scene;
@@ -95,10 +97,11 @@ TEST_CASE("once free balls pay, libero holds a ball against an opponent that pus
     }
     return distance(match.world().balls[0].position, test::onSide(scene.ball, side));
   };
-  const TeamChoice encouraged = TeamChoice::own("encouraged", [] { return std::make_unique<Encouraged>(); });
+  const TeamChoice discouraged =
+      TeamChoice::own("discouraged", [] { return std::make_unique<Discouraged>(); });
   for (const double side : {kUp, kDown}) {
-    CHECK(moved(encouraged, side) < config.rules.stuck.radius);
-    CHECK(moved(*parseTeam("libero"), side) > config.rules.stuck.radius);
+    CHECK(moved(*parseTeam("libero"), side) < config.rules.stuck.radius);
+    CHECK(moved(discouraged, side) > config.rules.stuck.radius);
   }
 }
 
