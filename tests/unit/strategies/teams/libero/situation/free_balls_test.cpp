@@ -49,6 +49,7 @@ TEST_CASE("free balls pay until two more have brought nothing than a goal", "[un
 TEST_CASE("a free ball that has just begun is not yet one without a goal", "[unit]") {
   Play play;
   play.restart(RestartKind::kFreeBall, true, 0, 20.0);
+  CHECK(play.free_balls.pay());
   play.restart(RestartKind::kFreeBall, true, 0, 2.0);  // it might still bring one
   CHECK(play.free_balls.pay());
   play.seen.playing = true;
