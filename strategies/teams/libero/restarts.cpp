@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/models/field_places.hpp"
 #include "fulbito/detail/math.hpp"
 #include "strategies/teams/libero/defence/goal_line.hpp"
 
@@ -88,11 +89,12 @@ void goalKick(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
 
 void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
   if (ours) {
-    // The run-up brings the taker to full speed before it meets a keeper that runs out. Its slight angle to
-    // the support's side lets the ball slip past the keeper there. The places of the rules are mirrored
-    // between the sides, not rotated, and this one follows them.
+    // The taker runs straight at the ball, on the line from the inside of the post on the support's side. The
+    // places of the rules are mirrored between the sides, not rotated, and this one follows them.
     const double hand = placed[2] && placed[2]->position.y < 0.0 ? -1.0 : 1.0;
-    placed[1] = facing(ball - pitch.tuning.run_up * math::unit(hand * pitch.tuning.slant / 2), ball);
+    const Vec2 corner{pitch.half_length, hand * (pitch.goal_half - 2 * pitch.ball_radius)};
+    const Vec2 from = ball - pitch.tuning.run_up * unitOr(corner - ball, {1.0, 0.0});
+    placed[1] = facing(insideWalls(pitch.field, from, pitch.robot_corner), ball);
     placed[2] = facing({ownLine(pitch), hand * pitch.half_width / 2}, ball);
   } else {
     // Wide, out of the way of opponents that run at the ball: they would push the robots into the area.

@@ -103,4 +103,25 @@ TEST_CASE("libero's keeper stands between ball and goal at its own goal kick", "
   }
 }
 
+TEST_CASE("libero's taker of a penalty runs up on the line to the inside of a post", "[unit]") {
+  for (const char* robot : {"vsss", "firasim"}) {
+    const MatchInfo info = test::infoOf(3, robot);
+    for (const double side : {1.0, -1.0}) {
+      PlacementRequest request{RestartKind::kPenalty, true, {0.375, 0.0}, {}, {}};
+      request.defaults[2] = Pose2{{-0.1, side * 0.4}, 0.0};
+      const auto placed = test::liberoIn(info)->place(request);
+      REQUIRE(placed);
+      const Pose2 taker = *placed->robots[1];
+      CHECK(distance(taker.position, request.ball) > 0.4);
+      const Vec2 ahead = math::unit(taker.heading);
+      CHECK(cross(ahead, request.ball - taker.position) == Approx(0.0).margin(1e-9));
+      const double y = (info.field.length / 2 - request.ball.x) * ahead.y / ahead.x;
+      // the support waits on that side
+      CHECK(side * y < info.field.goal_width / 2 - info.ball.radius);
+      CHECK(side * y > info.field.goal_width / 2 - 3 * info.ball.radius);
+      CHECK(side * placed->robots[2]->position.y > 0.0);
+    }
+  }
+}
+
 }  // namespace fulbito

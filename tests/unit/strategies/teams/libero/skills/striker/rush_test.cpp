@@ -1,0 +1,57 @@
+#include "fulbito/detail/math.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/unit/strategies/teams/libero/scenes.hpp"
+
+namespace fulbito {
+namespace {
+
+/// Whether `taker` scores from a penalty within 2 s, with robots of `model` and libero in the other goal.
+bool scores(const char* taker, TeamId seat, const char* model) {
+  const bool blue = seat == TeamId::kBlue;
+  MatchConfig config =
+      test::matchOf(blue ? taker : "libero", blue ? "libero" : taker, "vsss-3v3", 10.0);
+  config.robot = *loadRobot(model);
+  config.opening = makeCall(refereeSetup(config), {}, {RestartKind::kPenalty, seat, {}, nullptr});
+  auto match = Match::create(config);
+  REQUIRE(match);
+  while (match->seconds() < 2.5 && match->step()) {
+  }
+  return match->referee().score[static_cast<std::size_t>(seat)] > 0;
+}
+
+}  // namespace
+
+TEST_CASE("libero's penalty goes in past a keeper that stays in its goal", "[unit]") {
+  for (const TeamId seat : {TeamId::kBlue, TeamId::kYellow}) {
+    CHECK(scores("libero", seat, "firasim"));
+    CHECK_FALSE(scores("libero:without=rush", seat, "firasim"));
+  }
+}
+
+TEST_CASE("libero runs straight at a penalty's ball that lies if that is a shot at a corner", "[unit]") {
+  const MatchInfo info = test::infoOf(3);
+  const Vec2 ball{0.375, 0.0};
+  // The angular speed [rad/s] of the taker in the tick after `since` [s], while their keeper stays.
+  const auto turns = [&](double y, double since, Vec2 rolling) {
+    Observation seen;
+    seen.team_size = 3;
+    seen.playing = true;
+    seen.restart = RestartKind::kPenalty;
+    seen.restart_is_ours = true;
+    seen.since_restart = since;
+    seen.ball = {ball, rolling, rolling};
+    const Vec2 way{0.4, -y};
+    seen.own[0] = test::standingAt({{-0.71, 0.0}, math::kPi / 2});
+    seen.own[1] = test::standingAt({ball - way, math::angleOf(way)});
+    seen.opponents[0] = test::standingAt({{0.71, 0.0}, math::kPi / 2});
+    const auto team = test::liberoIn(info);
+    return std::abs(test::twistOf(info, team->decide(seen).robots[1]).angular);
+  };
+  for (const double side : {1.0, -1.0}) {
+    CHECK(turns(side * 0.17, 0.3, {}) < 0.1);
+    CHECK(turns(side * 0.05, 0.3, {}) > 0.1);
+    CHECK(turns(side * 0.17, 0.3, {0.5, side * 0.3}) > 0.1);
+  }
+}
+
+}  // namespace fulbito
