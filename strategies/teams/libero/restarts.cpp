@@ -89,8 +89,9 @@ void goalKick(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
 
 void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
   if (ours) {
-    // The taker runs straight at the ball, on the line from the inside of the post on the support's side. The
-    // places of the rules are mirrored between the sides, not rotated, and this one follows them.
+    // The taker stands on the line from the inside of the post on the support's side. It runs straight at the
+    // ball, so fast that a keeper in the middle comes late. The places of the rules are mirrored between the
+    // sides, not rotated, and this one follows them.
     const double hand = placed[2] && placed[2]->position.y < 0.0 ? -1.0 : 1.0;
     const Vec2 corner{pitch.half_length, hand * (pitch.goal_half - 2 * pitch.ball_radius)};
     const Vec2 from = ball - pitch.tuning.run_up * unitOr(corner - ball, {1.0, 0.0});

@@ -5,11 +5,10 @@
 namespace fulbito {
 namespace {
 
-/// Whether `taker` scores from a penalty within 2 s, with robots of `model` and libero in the other goal.
+/// Whether the team `taker` scores from a penalty in 2.5 s, with robots of `model` and libero's keeper.
 bool scores(const char* taker, TeamId seat, const char* model) {
   const bool blue = seat == TeamId::kBlue;
-  MatchConfig config =
-      test::matchOf(blue ? taker : "libero", blue ? "libero" : taker, "vsss-3v3", 10.0);
+  MatchConfig config = test::matchOf(blue ? taker : "libero", blue ? "libero" : taker, "vsss-3v3", 10.0);
   config.robot = *loadRobot(model);
   config.opening = makeCall(refereeSetup(config), {}, {RestartKind::kPenalty, seat, {}, nullptr});
   auto match = Match::create(config);
@@ -31,7 +30,8 @@ TEST_CASE("libero's penalty goes in past a keeper that stays in its goal", "[uni
 TEST_CASE("libero runs straight at a penalty's ball that lies if that is a shot at a corner", "[unit]") {
   const MatchInfo info = test::infoOf(3);
   const Vec2 ball{0.375, 0.0};
-  // The angular speed [rad/s] of the taker in the tick after `since` [s], while their keeper stays.
+  // How fast [rad/s] the taker turns that comes from `y` [m], `since` [s] after the signal; their keeper
+  // stays.
   const auto turns = [&](double y, double since, Vec2 rolling) {
     Observation seen;
     seen.team_size = 3;
