@@ -7,12 +7,14 @@
 namespace fulbito::libero::striker {
 namespace {
 
+bool isOurPenalty(const Picture& picture) { return picture.isPenalty() && picture.seen.restart_is_ours; }
+
 /// Whether at an own penalty an opponent leaves its goal toward the ball. In the first three ticks, when
 /// its motion cannot be seen yet, the answer is yes.
 bool keeperRunsOut(const Picture& picture) {
   const Observation& seen = picture.seen;
   const Pitch& pitch = picture.pitch;
-  if (!picture.isPenalty() || !seen.restart_is_ours) return false;
+  if (!isOurPenalty(picture)) return false;
   if (seen.since_restart < 3 * pitch.tick) return true;
   for (int i = 0; i < seen.team_size; ++i) {
     if (!picture.opponentPresent(i)) continue;
@@ -30,9 +32,7 @@ bool runsAtCorner(const Picture& picture, int robot) {
   const double lies = picture.tuning.lies, goal_half = picture.pitch.goal_half;
   const BallState& ball = picture.ball.now();
   const Vec2 way = picture.ballFrom(robot);
-  if (!picture.isPenalty() || !picture.seen.restart_is_ours || way.x <= 0.0 ||
-      squaredNorm(ball.velocity) > lies * lies)
-    return false;
+  if (!isOurPenalty(picture) || way.x <= 0.0 || squaredNorm(ball.velocity) > lies * lies) return false;
   const double y = ball.position.y + way.y / way.x * (picture.pitch.half_length - ball.position.x);
   return std::abs(y) > goal_half / 2 && std::abs(y) < goal_half;
 }

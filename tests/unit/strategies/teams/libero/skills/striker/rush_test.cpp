@@ -5,11 +5,11 @@
 namespace fulbito {
 namespace {
 
-/// Whether the team `taker` scores from a penalty in 2.5 s, with robots of `model` and libero's keeper.
-bool scores(const char* taker, TeamId seat, const char* model) {
+/// Whether the team `taker` scores from a penalty in 2.5 s, with robots of `firasim` and libero's keeper.
+bool scores(const char* taker, TeamId seat) {
   const bool blue = seat == TeamId::kBlue;
   MatchConfig config = test::matchOf(blue ? taker : "libero", blue ? "libero" : taker, "vsss-3v3", 10.0);
-  config.robot = *loadRobot(model);
+  config.robot = *loadRobot("firasim");
   config.opening = makeCall(refereeSetup(config), {}, {RestartKind::kPenalty, seat, {}, nullptr});
   auto match = Match::create(config);
   REQUIRE(match);
@@ -22,23 +22,22 @@ bool scores(const char* taker, TeamId seat, const char* model) {
 
 TEST_CASE("libero's penalty goes in past a keeper that stays in its goal", "[unit]") {
   for (const TeamId seat : {TeamId::kBlue, TeamId::kYellow}) {
-    CHECK(scores("libero", seat, "firasim"));
-    CHECK_FALSE(scores("libero:without=rush", seat, "firasim"));
+    CHECK(scores("libero", seat));
+    CHECK_FALSE(scores("libero:without=rush", seat));
   }
 }
 
 TEST_CASE("libero runs straight at a penalty's ball that lies if that is a shot at a corner", "[unit]") {
   const MatchInfo info = test::infoOf(3);
   const Vec2 ball{0.375, 0.0};
-  // How fast [rad/s] the taker turns that comes from `y` [m], `since` [s] after the signal; their keeper
-  // stays.
-  const auto turns = [&](double y, double since, Vec2 rolling) {
+  // How fast [rad/s] the taker turns that comes from `y` [m], while their keeper stays.
+  const auto turns = [&](double y, Vec2 rolling) {
     Observation seen;
     seen.team_size = 3;
     seen.playing = true;
     seen.restart = RestartKind::kPenalty;
     seen.restart_is_ours = true;
-    seen.since_restart = since;
+    seen.since_restart = 0.3;
     seen.ball = {ball, rolling, rolling};
     const Vec2 way{0.4, -y};
     seen.own[0] = test::standingAt({{-0.71, 0.0}, math::kPi / 2});
@@ -48,9 +47,9 @@ TEST_CASE("libero runs straight at a penalty's ball that lies if that is a shot 
     return std::abs(test::twistOf(info, team->decide(seen).robots[1]).angular);
   };
   for (const double side : {1.0, -1.0}) {
-    CHECK(turns(side * 0.17, 0.3, {}) < 0.1);
-    CHECK(turns(side * 0.05, 0.3, {}) > 0.1);
-    CHECK(turns(side * 0.17, 0.3, {0.5, side * 0.3}) > 0.1);
+    CHECK(turns(side * 0.17, {}) < 0.1);
+    CHECK(turns(side * 0.05, {}) > 0.1);
+    CHECK(turns(side * 0.17, {0.5, side * 0.3}) > 0.1);
   }
 }
 
