@@ -21,9 +21,6 @@ Pose2 keeperPose(const Pitch& pitch) { return {{keeperLine(pitch), 0.0}, math::k
 /// The greatest x [m] at which the whole body is in the own half.
 double ownLine(const Pitch& pitch) { return -pitch.robot_corner - pitch.tuning.clearance; }
 
-/// `p` moved so that the whole body is in the own half.
-Vec2 ownHalf(const Pitch& pitch, Vec2 p) { return {std::min(p.x, ownLine(pitch)), p.y}; }
-
 /// The position of the opponent that takes the restart: the one nearest to the ball.
 std::optional<Vec2> takerOf(const PlacementRequest& request) {
   std::optional<Vec2> taker;
@@ -41,37 +38,36 @@ void kickOff(const Pitch& pitch, const PlacementRequest& request, double hand, T
   // side.
   if (placed[2] && placed[2]->position.y != 0.0) hand = std::copysign(1.0, placed[2]->position.y);
   const double circle = pitch.field.centre_circle_radius, wide = pitch.half_width / 2;
-  const double turn = pitch.tuning.kick_off_turn;
+  // In large matches a crowd stands in the straight way: the ball goes past it toward the support's side, and
+  // theirs is met from the other side.
+  const double turn = pitch.isLarge() ? -hand * pitch.tuning.kick_off_turn : 0.0;
   if (request.ours) {
-    // The ball goes past opponents that run straight at it, off the middle, toward the support's side.
-    placed[1] = facing(-runUp(pitch) * math::unit(-hand * turn), {});
+    // Opponents have to stay out of the circle, so the taker drives fast before it meets one.
+    placed[1] = facing(-runUp(pitch) * math::unit(turn), {});
     placed[2] = facing({ownLine(pitch) - pitch.front, -wide * hand}, {circle, -wide * hand});
   } else if (pitch.isLarge()) {
-    // The robot meets the ball from the side, so that a ball pushed straight on leaves its face toward the
-    // support.
-    placed[1] = facing(-(circle + pitch.robot_corner) * math::unit(-hand * turn), {});
+    // A ball pushed straight on leaves the robot's face toward the support.
+    placed[1] = facing(-(circle + pitch.robot_corner) * math::unit(turn), {});
     placed[2] = facing({-circle - pitch.ball_radius, -(circle + pitch.front) * hand}, {});
   } else {
-    // The robot stands beside the line of the kick, which the taker's place shows. There the ball leaves its
-    // face toward the support. It meets a straight kick from farther aside.
-    const Vec2 taker = takerOf(request).value_or(Vec2{circle, 0.0});
-    const double line = math::angleOf(taker);
-    const bool straight = std::abs(line) < pitch.tuning.slant;
-    const double side = std::abs(taker.y) > pitch.tuning.clearance ? std::copysign(1.0, line) : hand;
-    const Vec2 meeter = math::unit(line - side * (straight ? 2 * turn : turn));
-    const Vec2 support = math::unit(line + side * 2 * turn);
-    const double off = straight ? pitch.robot_half : pitch.tuning.clearance;
-    placed[1] = facing(ownHalf(pitch, -(circle + off) * meeter), {});
-    placed[2] = facing(ownHalf(pitch, -(circle + (straight ? 2 : 1) * pitch.around) * support), {});
+    // One robot is in the way of a straight kick. The other one waits beside the circle where a slanting kick
+    // goes, which the taker's place shows.
+    const double taker = takerOf(request).value_or(Vec2{}).y;
+    const double side = std::abs(taker) > pitch.tuning.clearance ? std::copysign(1.0, taker) : hand;
+    placed[1] = facing({-circle - pitch.tuning.clearance, 0.0}, {});
+    placed[2] = facing({ownLine(pitch), -side * (circle + pitch.around)}, {});
   }
 }
 
 void goalKick(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
   const double side = std::copysign(1.0, ball.y), gap = pitch.tuning.clearance;
   if (ours) {
-    const double aside =
-        std::min(std::abs(ball.y) - pitch.ball_radius - gap, pitch.area_half - pitch.robot_corner - gap);
-    placed[0] = facing({ball.x - runUp(pitch), side * aside}, ball);
+    // The keeper runs up from the end wall. Its kick comes to the side wall in their half and follows it,
+    // past opponents that run at the ball.
+    const Vec2 aim{pitch.half_length / 2, side * (pitch.half_width - pitch.ball_radius)};
+    const Vec2 way = unitOr(aim - ball, {1.0, 0.0});
+    const double room = (ball.x + pitch.half_length - pitch.robot_corner - gap) / way.x;
+    placed[0] = facing(ball - std::max(room, runUp(pitch)) * way, ball);
     placed[1] = facing({ball.x + 2 * pitch.around, std::copysign(pitch.half_width - pitch.around, side)},
                        {0.0, std::copysign(pitch.half_width, side)});
     placed[2] = facing({-pitch.half_length + pitch.area_front + pitch.bodies, 0.0}, ball);

@@ -42,21 +42,40 @@ TEST_CASE("libero begins restarts alike on both sides", "[unit]") {
 }
 
 TEST_CASE("libero plays kick-offs to either hand in turn", "[unit]") {
-  const auto team = test::liberoIn(test::infoOf(3));
-  for (const bool ours : {true, false}) {
-    PlacementRequest request{RestartKind::kKickOff, ours, {}, {}, {}};
-    const auto one = team->place(request), next = team->place(request);
-    REQUIRE(one);
-    REQUIRE(next);
-    for (const std::size_t i : {1, 2}) {
-      CHECK(one->robots[i]->position.y != 0.0);
-      CHECK(one->robots[i]->position.x == Approx(next->robots[i]->position.x));
-      CHECK(one->robots[i]->position.y == Approx(-next->robots[i]->position.y));
+  for (const int size : {3, 5}) {
+    const auto team = test::liberoIn(test::infoOf(size));
+    for (const bool ours : {true, false}) {
+      PlacementRequest request{RestartKind::kKickOff, ours, {}, {}, {}};
+      const auto one = team->place(request), next = team->place(request);
+      REQUIRE(one);
+      REQUIRE(next);
+      for (const std::size_t i : {1, 2}) {
+        CAPTURE(size, ours, i);
+        // In small matches robot 1 is straight in front of the ball, whatever the hand.
+        CHECK((one->robots[i]->position.y == 0.0) == (size == 3 && i == 1));
+        CHECK(one->robots[i]->position.x == Approx(next->robots[i]->position.x));
+        CHECK(one->robots[i]->position.y == Approx(-next->robots[i]->position.y));
+      }
     }
   }
 }
 
-TEST_CASE("libero waits for a kick-off on both sides of its line", "[unit]") {
+TEST_CASE("libero kicks off straight ahead", "[unit]") {
+  for (const char* robot : {"vsss", "firasim"}) {
+    const MatchInfo info = test::infoOf(3, robot);
+    const auto placed = test::liberoIn(info)->place({RestartKind::kKickOff, true, {}, {}, {}});
+    REQUIRE(placed);
+    const Pose2 taker = *placed->robots[1];
+    CHECK(taker.position.y == 0.0);
+    CHECK(taker.heading == 0.0);
+    const double gap = -taker.position.x - info.robot.length / 2 - info.ball.radius;
+    CHECK(gap >= 0.0);
+    // An opponent outside the circle has a much longer way to the ball.
+    CHECK(gap < (info.field.centre_circle_radius - info.robot.length / 2) / 4);
+  }
+}
+
+TEST_CASE("libero waits for a kick-off in its way and where a slanting one goes", "[unit]") {
   const MatchInfo info = test::infoOf(3);
   const auto team = test::liberoIn(info);
   for (const Vec2 taker : {Vec2{0.2, 0.0}, Vec2{0.165, 0.113}, Vec2{0.165, -0.113}}) {
@@ -66,7 +85,10 @@ TEST_CASE("libero waits for a kick-off on both sides of its line", "[unit]") {
     const auto placed = team->place(request);
     REQUIRE(placed);
     const Vec2 meeter = placed->robots[1]->position, support = placed->robots[2]->position;
-    CHECK(cross(taker, meeter) * cross(taker, support) < 0.0);
+    CHECK(meeter.y == 0.0);
+    // The kick goes from the taker through the ball, so to the other side of the middle.
+    if (taker.y != 0.0) CHECK(support.y * taker.y < 0.0);
+    CHECK(std::abs(support.y) > info.field.centre_circle_radius);
     CHECK(norm(meeter) < norm(support));
     for (const Vec2 place : {meeter, support}) {
       CHECK(norm(place) >= info.field.centre_circle_radius);
@@ -88,18 +110,31 @@ TEST_CASE("libero awaits their goal kick in its own half, on the ball's side", "
   }
 }
 
-TEST_CASE("libero's keeper stands between ball and goal at its own goal kick", "[unit]") {
-  const MatchInfo info = test::infoOf(3);
-  const auto team = test::liberoIn(info);
-  for (const double side : {1.0, -1.0}) {
-    const Vec2 ball{-0.6, side * 0.35};
-    const auto placed = team->place({RestartKind::kGoalKick, true, ball, {}, {}});
-    REQUIRE(placed);
-    const Pose2 keeper = *placed->robots[0];
-    CHECK(keeper.position.x < ball.x);
-    CHECK(std::abs(keeper.position.y) < std::abs(ball.y));
-    CHECK(distance(keeper.position, ball) < 0.12);
-    CHECK(math::cos(keeper.heading - math::angleOf(ball - keeper.position)) > 0.99);
+TEST_CASE("libero's keeper takes a goal kick with a run-up toward the side wall in their half", "[unit]") {
+  for (const int size : {3, 5}) {
+    for (const char* robot : {"vsss", "firasim"}) {
+      const MatchInfo info = test::infoOf(size, robot);
+      const auto team = test::liberoIn(info);
+      for (const double side : {1.0, -1.0}) {
+        CAPTURE(size, robot, side);
+        const Vec2 ball{-info.field.length / 2 + info.field.goal_area_depth, side * 0.35};
+        const auto placed = team->place({RestartKind::kGoalKick, true, ball, {}, {}});
+        REQUIRE(placed);
+        const Pose2 keeper = *placed->robots[0];
+        CHECK(keeper.position.x < ball.x);
+        CHECK(std::abs(keeper.position.y) < std::abs(ball.y));
+        CHECK(insideField(info.field, keeper.position, info.robot.circumradius()));
+        // A run-up, and yet between ball and goal.
+        CHECK(distance(keeper.position, ball) > info.robot.length / 2 + info.ball.radius + 0.02);
+        CHECK(distance(keeper.position, ball) < 0.12);
+        const Vec2 ahead = math::unit(keeper.heading);
+        CHECK(cross(ahead, ball - keeper.position) == Approx(0.0).margin(1e-9));
+        const double x =
+            ball.x + (side * info.field.width / 2 - ball.y) * ahead.x / ahead.y;  // at the side wall
+        CHECK(x > 0.0);
+        CHECK(x < info.field.length / 2);
+      }
+    }
   }
 }
 

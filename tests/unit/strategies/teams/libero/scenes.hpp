@@ -143,6 +143,7 @@ inline Observation anything(Rng& rng, const MatchInfo& info) {
   if (rng.uniform(0.0, 1.0) < 0.1) seen.ball = {{x, y}, {}, {}};
   seen.since_restart = rng.uniform(0.0, 1.0);
   seen.restart = static_cast<RestartKind>(static_cast<int>(rng.uniform(0.0, 5.99)));
+  seen.restart_is_ours = rng.uniform(0.0, 1.0) < 0.5;
   return seen;
 }
 
