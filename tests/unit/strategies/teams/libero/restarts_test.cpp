@@ -1,4 +1,5 @@
 #include <cmath>
+#include <string_view>
 
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
@@ -51,8 +52,8 @@ TEST_CASE("libero plays kick-offs to either hand in turn", "[unit]") {
       REQUIRE(next);
       for (const std::size_t i : {1, 2}) {
         CAPTURE(size, ours, i);
-        // In small matches robot 1 is straight in front of the ball, whatever the hand.
-        CHECK((one->robots[i]->position.y == 0.0) == (size == 3 && i == 1));
+        // In small matches one robot is straight in the way of their kick, whatever the hand.
+        CHECK((one->robots[i]->position.y == 0.0) == (size == 3 && !ours && i == 1));
         CHECK(one->robots[i]->position.x == Approx(next->robots[i]->position.x));
         CHECK(one->robots[i]->position.y == Approx(-next->robots[i]->position.y));
       }
@@ -60,15 +61,18 @@ TEST_CASE("libero plays kick-offs to either hand in turn", "[unit]") {
   }
 }
 
-TEST_CASE("libero kicks off straight ahead", "[unit]") {
+TEST_CASE("libero kicks off straight ahead, or past robots that can shove", "[unit]") {
   for (const char* robot : {"vsss", "firasim"}) {
     const MatchInfo info = test::infoOf(3, robot);
     const auto placed = test::liberoIn(info)->place({RestartKind::kKickOff, true, {}, {}, {}});
     REQUIRE(placed);
     const Pose2 taker = *placed->robots[1];
-    CHECK(taker.position.y == 0.0);
-    CHECK(taker.heading == 0.0);
-    const double gap = -taker.position.x - info.robot.length / 2 - info.ball.radius;
+    CAPTURE(robot);
+    CHECK((taker.position.y == 0.0) == (robot == std::string_view("firasim")));
+    CHECK(cross(math::unit(taker.heading), -taker.position) == Approx(0.0).margin(1e-9));
+    // The kick goes to the side of the support, if to any.
+    CHECK(taker.position.y * placed->robots[2]->position.y <= 0.0);
+    const double gap = norm(taker.position) - info.robot.length / 2 - info.ball.radius;
     CHECK(gap >= 0.0);
     // An opponent outside the circle has a much longer way to the ball.
     CHECK(gap < (info.field.centre_circle_radius - info.robot.length / 2) / 4);
