@@ -37,9 +37,13 @@ TEST_CASE("check-team repeats its results but for the measured times", "[cli]") 
   const auto results = [&] {
     Json json = Json::parse(box.run("check-team chaser --quick --seed 5 --json").out);
     dropMeasured(json);
+    // On a busy machine a decision may take long enough for a warning.
+    json.erase("verdict");
     Json& checks = json["checks"];
     for (Json& check : checks) {
-      if (check["name"] == "time" || check["name"] == "start") check.erase("finding");
+      if (check["name"] != "time" && check["name"] != "start") continue;
+      check.erase("finding");
+      check.erase("verdict");
     }
     return json;
   };
