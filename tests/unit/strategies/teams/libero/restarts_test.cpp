@@ -70,6 +70,7 @@ TEST_CASE("libero kicks off straight ahead, or past robots that can shove", "[un
     CAPTURE(robot);
     CHECK((taker.position.y == 0.0) == (robot == std::string_view("firasim")));
     CHECK(cross(math::unit(taker.heading), -taker.position) == Approx(0.0).margin(1e-9));
+    CHECK(dot(math::unit(taker.heading), -taker.position) > 0.0);
     // The kick goes to the side of the support, if to any.
     CHECK(taker.position.y * placed->robots[2]->position.y <= 0.0);
     const double gap = norm(taker.position) - info.robot.length / 2 - info.ball.radius;
@@ -133,6 +134,7 @@ TEST_CASE("libero's keeper takes a goal kick with a run-up toward the side wall 
         CHECK(distance(keeper.position, ball) < 0.12);
         const Vec2 ahead = math::unit(keeper.heading);
         CHECK(cross(ahead, ball - keeper.position) == Approx(0.0).margin(1e-9));
+        CHECK(dot(ahead, ball - keeper.position) > 0.0);
         const double x =
             ball.x + (side * info.field.width / 2 - ball.y) * ahead.x / ahead.y;  // at the side wall
         CHECK(x > 0.0);

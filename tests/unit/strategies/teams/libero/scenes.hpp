@@ -77,6 +77,21 @@ inline double scoresAlone(Vec2 ball, const Pose2& robot, double side, const char
   return match.seconds();
 }
 
+/// The match after `seconds` from a restart of the team `takes`, which plays as `seat` with robots of
+/// `model`.
+inline Match playedFromRestart(RestartKind kind, const char* takes, const char* against, TeamId seat,
+                               const char* model, double seconds) {
+  const bool blue = seat == TeamId::kBlue;
+  MatchConfig config = matchOf(blue ? takes : against, blue ? against : takes, "vsss-3v3", 10.0);
+  config.robot = *loadRobot(model);
+  config.opening = makeCall(refereeSetup(config), {}, {kind, seat, {}, nullptr});
+  auto match = Match::create(config);
+  REQUIRE(match);
+  while (match->seconds() < seconds && match->step()) {
+  }
+  return std::move(*match);
+}
+
 /// Positions of libero's robots, the chaser's and the ball 0.1 s after a restart, with libero as `seat`.
 inline std::vector<Vec2> afterRestart(RestartKind kind, bool ours, TeamId seat) {
   MatchConfig config = matchOf("libero", "chaser", "vsss-3v3", 10.0);

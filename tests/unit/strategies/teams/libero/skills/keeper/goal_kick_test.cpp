@@ -6,15 +6,8 @@ namespace {
 
 /// How far [m] the ball is beyond the half-way line, seen by the team `kicks`, 2 s after its goal kick.
 double ballAfterGoalKick(const char* kicks, const char* other, const char* model, TeamId seat) {
-  const bool blue = seat == TeamId::kBlue;
-  MatchConfig config = test::matchOf(blue ? kicks : other, blue ? other : kicks, "vsss-3v3", 10.0);
-  config.robot = *loadRobot(model);
-  config.opening = makeCall(refereeSetup(config), {}, {RestartKind::kGoalKick, seat, {}, nullptr});
-  auto match = Match::create(config);
-  REQUIRE(match);
-  while (match->seconds() < 2.5 && match->step()) {
-  }
-  return (blue ? 1.0 : -1.0) * match->world().balls.front().position.x;
+  const Match match = test::playedFromRestart(RestartKind::kGoalKick, kicks, other, seat, model, 2.5);
+  return (seat == TeamId::kBlue ? 1.0 : -1.0) * match.world().balls.front().position.x;
 }
 
 }  // namespace

@@ -7,15 +7,8 @@ namespace {
 
 /// Whether the team `taker` scores from a penalty in 2.5 s, with robots of `firasim` and libero's keeper.
 bool scores(const char* taker, TeamId seat) {
-  const bool blue = seat == TeamId::kBlue;
-  MatchConfig config = test::matchOf(blue ? taker : "libero", blue ? "libero" : taker, "vsss-3v3", 10.0);
-  config.robot = *loadRobot("firasim");
-  config.opening = makeCall(refereeSetup(config), {}, {RestartKind::kPenalty, seat, {}, nullptr});
-  auto match = Match::create(config);
-  REQUIRE(match);
-  while (match->seconds() < 2.5 && match->step()) {
-  }
-  return match->referee().score[static_cast<std::size_t>(seat)] > 0;
+  const Match match = test::playedFromRestart(RestartKind::kPenalty, taker, "libero", seat, "firasim", 2.5);
+  return match.referee().score[static_cast<std::size_t>(seat)] > 0;
 }
 
 }  // namespace
