@@ -5,6 +5,7 @@
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 
+#include "engine/sim/contacts/meeting_face.hpp"
 #include "engine/sim/units.hpp"
 #include "engine/sim/walls.hpp"
 
@@ -68,10 +69,10 @@ void ContactLog::BeginContact(b2Contact* contact) {
   contact->SetRestitution(static_cast<float>(pair.restitution));
 }
 
-void ContactLog::PreSolve(b2Contact* contact, const b2Manifold*) {
+void ContactLog::PreSolve(b2Contact* contact, const b2Manifold* before) {
   ++unsolved_;
   const bool wall_first = numberOf(contact->GetFixtureA()) == 0;
-  if (!wall_first && numberOf(contact->GetFixtureB()) != 0) return lookAtSurface(*contact);
+  if (!wall_first && numberOf(contact->GetFixtureB()) != 0) return lookAtBodies(*contact, *before);
   b2Fixture& wall = *(wall_first ? contact->GetFixtureA() : contact->GetFixtureB());
   b2Body& body = *(wall_first ? contact->GetFixtureB() : contact->GetFixtureA())->GetBody();
   const b2Vec2 normal = normalToward(body, *contact);
@@ -87,7 +88,10 @@ void ContactLog::PreSolve(b2Contact* contact, const b2Manifold*) {
   contact->SetRestitution(static_cast<float>(bounce));
 }
 
-void ContactLog::lookAtSurface(b2Contact& contact) {
+void ContactLog::lookAtBodies(b2Contact& contact, const b2Manifold& before) {
+  const auto is_box = [](b2Fixture* fixture) { return fixture->GetType() == b2Shape::e_polygon; };
+  if (is_box(contact.GetFixtureA()) && is_box(contact.GetFixtureB()))
+    return chooseMeetingFace(contact, before);
   const std::size_t a = numberOf(contact.GetFixtureA()), b = numberOf(contact.GetFixtureB());
   if (!isBall(a) && !isBall(b)) return;
   b2WorldManifold manifold;

@@ -64,7 +64,7 @@ class ContactLog final : public b2ContactListener {
 
   Pair& pairAt(std::size_t a, std::size_t b) { return pairs_[a * bodies_.size() + b]; }
   bool isBall(std::size_t number) const { return bodies_[number].kind == BodyKind::kBall; }
-  void lookAtSurface(b2Contact& contact);
+  void lookAtBodies(b2Contact& contact, const b2Manifold& before);
   float surfaceSpeed(b2Contact& contact, b2Vec2 point) const;
   void press(b2Contact& contact, b2Vec2 point, const Pair& pair);
   void record(b2Contact& contact, const b2ContactImpulse& impulse);

@@ -116,7 +116,7 @@ Habits habitsOf(const std::string& school, std::uint64_t matches = 16) {
 TEST_CASE("sparring teams keep goal, stay out of their area and do not lock their mates", "[unit]") {
   for (const std::string& school : kSchools) {
     CAPTURE(school);
-    const Habits habits = habitsOf(school, 4);
+    const Habits habits = habitsOf(school, 12);
     if (school != "sweeper") CHECK(habits.keeper_out < 0.03);
     CHECK(habits.intruders < 0.02);
     CHECK(habits.locked < 0.01);
