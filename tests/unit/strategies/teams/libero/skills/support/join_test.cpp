@@ -7,8 +7,8 @@ namespace fulbito {
 namespace {
 
 /// Whether robot 2, behind the striker by `behind` [m], joins it at `ball` in front of an opponent. `gap`
-/// [m]: from ball to opponent.
-bool joins(int size, BallState at, double gap, double behind) {
+/// [m]: from ball to opponent. `rank`: its number among the robots without the ball.
+bool joins(int size, BallState at, double gap, double behind, int rank = 0) {
   const libero::Pitch pitch(test::infoOf(size));
   const Vec2 place = at.position;
   Observation seen;
@@ -21,6 +21,7 @@ bool joins(int size, BallState at, double gap, double behind) {
   ball.take(seen.ball, {});
   libero::Picture picture{seen, pitch, ball};
   picture.keeper = 0, picture.striker = 1;
+  picture.rank[2] = rank;
   libero::Memory memory;
   const auto move = libero::support::join(picture, 2, memory);
   if (move) CHECK(move->twist.linear != 0.0);
@@ -42,6 +43,14 @@ TEST_CASE("the first support behind a ball that an opponent fights for plays it,
   BallState fast = wall;
   fast.velocity.x = pitch.tuning.pushable + 0.1;
   CHECK_FALSE(joins(3, fast, 0.1, 0.3));
+}
+
+TEST_CASE("in a large match a second support joins, but not a third", "[unit]") {
+  BallState wall;
+  wall.position.y = libero::Pitch(test::infoOf(5)).half_width - 0.022;
+  CHECK(joins(5, wall, 0.1, 0.3, 1));
+  CHECK_FALSE(joins(5, wall, 0.1, 0.3, 2));
+  CHECK_FALSE(joins(3, wall, 0.1, 0.3, 1));
 }
 
 }  // namespace fulbito
