@@ -72,7 +72,10 @@ void ContactLog::BeginContact(b2Contact* contact) {
 void ContactLog::PreSolve(b2Contact* contact, const b2Manifold* before) {
   ++unsolved_;
   const bool wall_first = numberOf(contact->GetFixtureA()) == 0;
-  if (!wall_first && numberOf(contact->GetFixtureB()) != 0) return lookAtBodies(*contact, *before);
+  if (!wall_first && numberOf(contact->GetFixtureB()) != 0) {
+    chooseMeetingFace(*contact, *before);
+    return lookAtSurface(*contact);
+  }
   b2Fixture& wall = *(wall_first ? contact->GetFixtureA() : contact->GetFixtureB());
   b2Body& body = *(wall_first ? contact->GetFixtureB() : contact->GetFixtureA())->GetBody();
   const b2Vec2 normal = normalToward(body, *contact);
@@ -88,10 +91,7 @@ void ContactLog::PreSolve(b2Contact* contact, const b2Manifold* before) {
   contact->SetRestitution(static_cast<float>(bounce));
 }
 
-void ContactLog::lookAtBodies(b2Contact& contact, const b2Manifold& before) {
-  const auto is_box = [](b2Fixture* fixture) { return fixture->GetType() == b2Shape::e_polygon; };
-  if (is_box(contact.GetFixtureA()) && is_box(contact.GetFixtureB()))
-    return chooseMeetingFace(contact, before);
+void ContactLog::lookAtSurface(b2Contact& contact) {
   const std::size_t a = numberOf(contact.GetFixtureA()), b = numberOf(contact.GetFixtureB());
   if (!isBall(a) && !isBall(b)) return;
   b2WorldManifold manifold;

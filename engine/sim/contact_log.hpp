@@ -13,7 +13,8 @@
 
 namespace fulbito {
 
-/// Listens to Box2D's contacts: sets friction and restitution of each pair, and sums the impulses of a tick.
+/// Listens to Box2D's contacts: sets friction and restitution of each pair and the face along which boxes
+/// push, and sums the impulses of a tick.
 /// Bodies are numbered: walls, robots, balls, obstacles.
 class ContactLog final : public b2ContactListener {
  public:
@@ -64,7 +65,7 @@ class ContactLog final : public b2ContactListener {
 
   Pair& pairAt(std::size_t a, std::size_t b) { return pairs_[a * bodies_.size() + b]; }
   bool isBall(std::size_t number) const { return bodies_[number].kind == BodyKind::kBall; }
-  void lookAtBodies(b2Contact& contact, const b2Manifold& before);
+  void lookAtSurface(b2Contact& contact);
   float surfaceSpeed(b2Contact& contact, b2Vec2 point) const;
   void press(b2Contact& contact, b2Vec2 point, const Pair& pair);
   void record(b2Contact& contact, const b2ContactImpulse& impulse);

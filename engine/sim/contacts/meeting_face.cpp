@@ -19,6 +19,8 @@ struct PlacedPolygon {
   const b2Transform& at;
 };
 
+bool isPolygon(const b2Fixture& fixture) { return fixture.GetType() == b2Shape::e_polygon; }
+
 PlacedPolygon placed(b2Fixture& fixture) {
   return {static_cast<const b2PolygonShape&>(*fixture.GetShape()), fixture.GetBody()->GetTransform()};
 }
@@ -50,13 +52,15 @@ void startFrom(const b2Manifold& before, b2ManifoldPoint& point) {
 }  // namespace
 
 void chooseMeetingFace(b2Contact& contact, const b2Manifold& before) {
+  b2Fixture &first = *contact.GetFixtureA(), &second = *contact.GetFixtureB();
+  if (!isPolygon(first) || !isPolygon(second)) return;
   if (contact.GetManifold()->type == b2Manifold::e_faceB) return;  // better by more than the tolerance
-  const PlacedPolygon a = placed(*contact.GetFixtureA()), b = placed(*contact.GetFixtureB());
+  const PlacedPolygon a = placed(first), b = placed(second);
   if (separation(a, b) >= separation(b, a)) return;
   b2Manifold swapped;
   b2CollidePolygons(&swapped, &b.shape, b.at, &a.shape, a.at);
   if (swapped.pointCount == 0) return;
-  swapped.type = swapped.type == b2Manifold::e_faceA ? b2Manifold::e_faceB : b2Manifold::e_faceA;
+  swapped.type = b2Manifold::e_faceB;  // of the contact's order; for the call, it was the first one's
   for (b2ManifoldPoint& point : std::span(swapped.points, static_cast<std::size_t>(swapped.pointCount))) {
     std::swap(point.id.cf.indexA, point.id.cf.indexB);
     std::swap(point.id.cf.typeA, point.id.cf.typeB);
