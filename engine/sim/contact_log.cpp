@@ -74,6 +74,7 @@ void ContactLog::PreSolve(b2Contact* contact, const b2Manifold* before) {
   const bool wall_first = numberOf(contact->GetFixtureA()) == 0;
   if (!wall_first && numberOf(contact->GetFixtureB()) != 0) {
     chooseMeetingFace(*contact, *before);
+    stopBouncing(*contact, *before);
     return lookAtSurface(*contact);
   }
   b2Fixture& wall = *(wall_first ? contact->GetFixtureA() : contact->GetFixtureB());
@@ -89,6 +90,13 @@ void ContactLog::PreSolve(b2Contact* contact, const b2Manifold* before) {
   if (surface.kind != Surface::Kind::kBall) return;
   const double bounce = isPinned(body, normal) ? 0.0 : pairOf(surfaces_[0], surface).restitution;
   contact->SetRestitution(static_cast<float>(bounce));
+}
+
+// Robots that push on each other approach within each step, as motors and tyres act before contacts. That is
+// no impact, and must not throw them apart.
+void ContactLog::stopBouncing(b2Contact& contact, const b2Manifold& before) const {
+  const bool ball = isBall(numberOf(contact.GetFixtureA())) || isBall(numberOf(contact.GetFixtureB()));
+  if (!ball && before.pointCount > 0) contact.SetRestitution(0.0f);
 }
 
 void ContactLog::lookAtSurface(b2Contact& contact) {

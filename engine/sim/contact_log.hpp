@@ -65,6 +65,7 @@ class ContactLog final : public b2ContactListener {
 
   Pair& pairAt(std::size_t a, std::size_t b) { return pairs_[a * bodies_.size() + b]; }
   bool isBall(std::size_t number) const { return bodies_[number].kind == BodyKind::kBall; }
+  void stopBouncing(b2Contact& contact, const b2Manifold& before) const;
   void lookAtSurface(b2Contact& contact);
   float surfaceSpeed(b2Contact& contact, b2Vec2 point) const;
   void press(b2Contact& contact, b2Vec2 point, const Pair& pair);

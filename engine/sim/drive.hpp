@@ -30,7 +30,8 @@ class Drive {
   void setCommand(WheelSpeeds command);
 
   /// The change of the body's motion by motors and floor in one physics step.
-  BodyMotion step(const BodyMotion& motion);
+  /// @param push  the change that contacts are about to make in the step; motors and tyres hold against it
+  BodyMotion step(const BodyMotion& robot, const BodyMotion& push = {});
 
   /// Encoder readings [rad/s] of a body that moves at `forward` [m/s] and `yaw` [rad/s]: the ground speed, or
   /// the wheel's own speed while it slips.
@@ -44,6 +45,7 @@ class Drive {
   RimSpeeds limits(const BodyMotion& motion) const;
   bool rests(const BodyMotion& motion) const;
   BodyMotion tiltedStep(const BodyMotion& motion, RimSpeeds ground);
+  BodyMotion pushed(const BodyMotion& motion, const BodyMotion& push) const;
 
   DriveLaw law_;
   Tilt tilt_;
@@ -88,7 +90,17 @@ inline bool Drive::rests(const BodyMotion& motion) const {
          !tilt_.isTilted();
 }
 
-inline BodyMotion Drive::step(const BodyMotion& motion) {
+// The motion that motors and tyres answer. A robot that drives at something gives all the force that its
+// motors have, so there the push is left out: it would pass for a motion backwards, which motors brake with
+// more force.
+inline BodyMotion Drive::pushed(const BodyMotion& motion, const BodyMotion& push) const {
+  const bool against = (target_.left + target_.right) * push.forward < 0.0;
+  return {against ? motion.forward : motion.forward + push.forward, motion.sideways + push.sideways,
+          motion.yaw + push.yaw};
+}
+
+inline BodyMotion Drive::step(const BodyMotion& robot, const BodyMotion& push) {
+  const BodyMotion motion = pushed(robot, push);
   if (rests(motion)) {
     left_slips_ = right_slips_ = false;
     return {0.0, -std::clamp(motion.sideways, -max_lateral_, max_lateral_), 0.0};

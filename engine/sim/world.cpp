@@ -17,6 +17,7 @@
 #include "engine/sim/drive.hpp"
 #include "engine/sim/engine_clock.hpp"
 #include "engine/sim/engine_memory.hpp"
+#include "engine/sim/lasting_push.hpp"
 #include "engine/sim/obstacle_motion.hpp"
 #include "engine/sim/reserve.hpp"
 #include "engine/sim/rod.hpp"
@@ -36,6 +37,15 @@ Vec2 direction(const b2Body& body) {
   return {static_cast<double>(q.c), static_cast<double>(q.s)};
 }
 
+BodyMotion inFrame(const b2Body& body, const b2Vec2& moving, float yaw) {
+  const Vec2 forward = direction(body), velocity = units::metres(moving);
+  return {dot(forward, velocity), cross(forward, velocity), static_cast<double>(yaw)};
+}
+
+BodyMotion motionOf(const b2Body& body) {
+  return inFrame(body, body.GetLinearVelocity(), body.GetAngularVelocity());
+}
+
 Pose2 poseOf(const b2Body& body) {
   return {units::metres(body.GetPosition()), math::wrapAngle(static_cast<double>(body.GetAngle()))};
 }
@@ -46,6 +56,9 @@ struct World::Impl {
   struct Robot {
     b2Body* body;
     Drive drive;
+    LastingPush push{};
+    b2Vec2 driven{};  // [Box2D units per s] velocity after motors and tyres, before the contacts of a step
+    float turned = 0.0f;  // [rad/s] yaw rate at that time
   };
 
   explicit Impl(const WorldConfig& from);
@@ -53,6 +66,7 @@ struct World::Impl {
   void stepOnce(double time);
   void driveRobots();
   void rollBalls();
+  void measurePushes();
   void moveObstacles(double time);
   void planSearch(bool search, float part);
   void decideSearch();
@@ -176,12 +190,21 @@ void World::Impl::watchMovers() {
 void World::Impl::driveRobots() {
   for (Robot& robot : robots) {
     b2Body& body = *robot.body;
-    const Vec2 forward = direction(body), velocity = units::metres(body.GetLinearVelocity());
-    const BodyMotion change = robot.drive.step(
-        {dot(forward, velocity), cross(forward, velocity), static_cast<double>(body.GetAngularVelocity())});
-    const Vec2 kick = forward * change.forward + perp(forward) * change.sideways;
+    const BodyMotion change = robot.drive.step(motionOf(body), robot.push.expected());
+    const Vec2 forward = direction(body), kick = forward * change.forward + perp(forward) * change.sideways;
     body.ApplyLinearImpulseToCenter(body.GetMass() * units::vector(kick), true);
     body.ApplyAngularImpulse(body.GetInertia() * static_cast<float>(change.yaw), true);
+    robot.driven = body.GetLinearVelocity();
+    robot.turned = body.GetAngularVelocity();
+  }
+}
+
+// A rod's pulls are no contacts: mates that resisted them would drive each other apart.
+void World::Impl::measurePushes() {
+  if (!rods.empty()) return;
+  for (Robot& robot : robots) {
+    const b2Body& body = *robot.body;
+    robot.push.measure(inFrame(body, robot.driven, robot.turned), motionOf(body));
   }
 }
 
@@ -277,6 +300,7 @@ void World::Impl::stepOnce(double time) {
   moveObstacles(time);
   contacts.squeeze().startStep();
   collide();
+  measurePushes();
   settleSpins();
 }
 

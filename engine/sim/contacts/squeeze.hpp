@@ -13,7 +13,6 @@ namespace fulbito {
 /// close at u with an angle of 2 a between them drive a ball out at u / sin(a), which has no bound. Real
 /// balls yield, and nearly parallel edges hold them by friction. So the ball leaves no faster than after two
 /// successive impacts. The rest of its momentum goes to the bodies that hold it, as by friction.
-/// friction.
 class Squeeze {
  public:
   /// @param slow  [Box2D units per s] balls up to this speed are left as they are

@@ -210,6 +210,7 @@ TEST_CASE("a team is told why play stopped and how the match stands", "[unit]") 
   MatchConfig config = remoteMatch(wire, team);
   config.rules.restart.delay = 0.5;
   config.rules.restart.goal_delay = 1.0;
+  config.rules.half_seconds = 120.0;  // long enough for a goal
   auto match = Match::create(config);
   REQUIRE(match);
   Plays plays;
@@ -325,6 +326,7 @@ TEST_CASE("a team is told once how the match ended", "[unit]") {
   }
   SECTION("by a lead") {
     config.rules.periods.mercy_goals = 1;
+    config.rules.half_seconds = 120.0;  // long enough for a goal
     auto match = Match::create(config);
     REQUIRE(match);
     playWaiting(*match, TeamId::kYellow, client, wire);

@@ -32,15 +32,13 @@ std::optional<Vec2> mouthAhead(const Pitch& pitch, const BallState& ball) {
 }  // namespace
 
 /// A struck ball slides, and has lost nearly a third of its speed once it rolls. A robot that stays behind it
-/// pushes it on, ever faster, and a keeper has less time. Robots that can shove speed up so fast that they
-/// strike hard as it is.
+/// pushes it on, ever faster, and a keeper has less time.
 std::optional<Move> followThrough(const Picture& picture, int robot, Memory& memory) {
   const Pitch& pitch = picture.pitch;
   const RobotState& self = picture.own(robot);
   const BallState& ball = picture.ball.now();
   // The taker of a penalty has aimed, and a push may bend the ball's way.
-  if (pitch.shoves || memory.spin.left > 0.0 || picture.isPenalty() ||
-      !hasItInFront(pitch, self, ball.position))
+  if (memory.spin.left > 0.0 || picture.isPenalty() || !hasItInFront(pitch, self, ball.position))
     return std::nullopt;
   const auto target = mouthAhead(pitch, ball);
   if (!target) return std::nullopt;
