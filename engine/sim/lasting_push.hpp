@@ -7,8 +7,7 @@ namespace fulbito {
 /// How contacts move and turn a robot in each physics step for as long as they last. Motors and tyres act
 /// before the contacts of a step are solved. If they only answered the motion that is left of the step
 /// before, a lasting push would shift and turn the robot by its acceleration times the step, however well the
-/// tyres hold. So they also answer what the contacts are about to do. Along the wheels, motors that push at
-/// all push with all their force, so nothing is expected there.
+/// tyres hold. So they also answer what the contacts are about to do.
 class LastingPush {
  public:
   /// The change by the contacts of the next step: nine tenths of the smaller of those of the last two steps.

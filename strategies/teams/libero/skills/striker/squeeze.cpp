@@ -8,8 +8,9 @@ namespace fulbito::libero::striker {
 /// A robot whose face leans into the wall squeezes the ball along it. A robot that drives round the ball
 /// would only hold it there. The point that it drives at is the place of a robot that holds the ball from the
 /// other side. A nearer one presses the ball into the wall; with a farther one, the ball slips out between
-/// the wall and the robot. A ball that has not crept by then is held as well as it is squeezed: others of the
-/// play book push it. Where robots cannot shove, none creeps far, and `race` loosens more balls.
+/// the wall and the robot. A ball that stays stuck is held as well as it is squeezed, so after `patience`
+/// others of the play book push it. Where robots cannot shove, none creeps far, and `race` loosens more
+/// balls.
 std::optional<Move> squeeze(const Picture& picture, int robot, Memory& memory) {
   const Pitch& pitch = picture.pitch;
   const Aim& aim = shotOf(picture, robot, memory.shot).aim;
