@@ -30,6 +30,7 @@ class Drive {
   void setCommand(WheelSpeeds command);
 
   /// The change of the body's motion by motors and floor in one physics step.
+  /// @param robot  its present motion
   /// @param push  the change that contacts are about to make in the step; motors and tyres hold against it
   BodyMotion step(const BodyMotion& robot, const BodyMotion& push = {});
 

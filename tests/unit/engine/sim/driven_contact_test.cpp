@@ -16,6 +16,10 @@ using namespace fulbito::test;
 
 namespace {
 
+BodyMotion inFrame(Vec2 ahead, Vec2 velocity, double yaw) {
+  return {dot(ahead, velocity), cross(ahead, velocity), yaw};
+}
+
 /// Copies of the world's robots, their drives and the pushes that these expect, to predict the drives' work
 /// in the next step.
 class Mirror {
@@ -33,9 +37,8 @@ class Mirror {
       const RobotState& robot = world.state().robots[i];
       const Vec2 ahead = math::unit(robot.pose.heading);
       mirrored.drive.setCommand(commands[i]);
-      const BodyMotion change = mirrored.drive.step(
-          {dot(ahead, robot.velocity), cross(ahead, robot.velocity), robot.angular_velocity},
-          mirrored.push.expected());
+      const BodyMotion change = mirrored.drive.step(inFrame(ahead, robot.velocity, robot.angular_velocity),
+                                                    mirrored.push.expected());
       mirrored.velocity = robot.velocity + ahead * change.forward + perp(ahead) * change.sideways;
       mirrored.yaw = robot.angular_velocity + change.yaw;
       const RobotModel& model = world.config().robots[i].model;
@@ -51,16 +54,13 @@ class Mirror {
       Robot& mirrored = robots_[i];
       const RobotState& robot = world.state().robots[i];
       const Vec2 ahead = math::unit(robot.pose.heading);
-      const auto inFrame = [&](Vec2 velocity, double yaw) {
-        return BodyMotion{dot(ahead, velocity), cross(ahead, velocity), yaw};
-      };
-      const BodyMotion after = inFrame(robot.velocity, robot.angular_velocity);
+      const BodyMotion after = inFrame(ahead, robot.velocity, robot.angular_velocity);
       // A robot that touches nothing was not pushed: a rounding error of the mirror must not stay as a push.
       const bool touches = std::ranges::any_of(world.contacts(), [&](const ContactEvent& contact) {
         const BodyId self{BodyKind::kRobot, static_cast<std::uint16_t>(i)};
         return contact.a == self || contact.b == self;
       });
-      mirrored.push.measure(touches ? inFrame(mirrored.velocity, mirrored.yaw) : after, after);
+      mirrored.push.measure(touches ? inFrame(ahead, mirrored.velocity, mirrored.yaw) : after, after);
     }
   }
 

@@ -130,7 +130,7 @@ TEST_CASE("each school does what it is named after more than another does", "[un
   CHECK(habitsOf("marker").marks > plain.marks + 0.07);
   CHECK(habitsOf("block").at_home > plain.at_home + 0.12);
   CHECK(habitsOf("presser").both_near > plain.both_near + 0.2);
-  CHECK(habitsOf("kicker").both_near > plain.both_near + 0.02);
+  CHECK(habitsOf("kicker").both_near > plain.both_near + 0.03);
   CHECK(habitsOf("spinner").spins > plain.spins + 0.05);
   CHECK(habitsOf("univector:spins=true").spins > plain.spins + 0.05);
   CHECK(habitsOf("sweeper").keeper_out > plain.keeper_out + 0.1);

@@ -43,6 +43,7 @@ TEST_CASE("libero's robot pushes a ball on that rolls at their goal right in fro
   REQUIRE(turned);
   CHECK(turned->target->y < 0.2);
   CHECK(turned->twist.angular > 0.0);
+  CHECK(followed({}, "vsss"));
 }
 
 TEST_CASE("libero's robot does not follow other balls", "[unit]") {
@@ -55,9 +56,8 @@ TEST_CASE("libero's robot does not follow other balls", "[unit]") {
   CHECK_FALSE(followed({.rolls = {0.5, 0.6}}));                            // goes wide
   CHECK_FALSE(followed({.speed = {0.1, 0.0}}));                            // the robot stands
   CHECK_FALSE(followed({.speed = {0.0, 0.9}}));                            // drives past it
-  CHECK(followed({}, "vsss"));
-  CHECK_FALSE(followed({}, "firasim", 0.2));                         // spins
-  CHECK_FALSE(followed({}, "firasim", 0.0, RestartKind::kPenalty));  // has aimed
+  CHECK_FALSE(followed({}, "firasim", 0.2));                               // spins
+  CHECK_FALSE(followed({}, "firasim", 0.0, RestartKind::kPenalty));        // has aimed
 }
 
 TEST_CASE("libero scores more often from volleys that it follows", "[unit]") {
