@@ -38,9 +38,8 @@ void kickOff(const Pitch& pitch, const PlacementRequest& request, double hand, T
   // side.
   if (placed[2] && placed[2]->position.y != 0.0) hand = std::copysign(1.0, placed[2]->position.y);
   const double circle = pitch.field.centre_circle_radius, wide = pitch.half_width / 2;
-  // A crowd, or a robot that can shove, holds a ball that comes straight. There it goes past, toward the
-  // support's side.
-  const double turn = pitch.isLarge() || pitch.shoves ? -hand * pitch.tuning.kick_off_turn : 0.0;
+  // A crowd holds a ball that comes straight. There it goes past, toward the support's side.
+  const double turn = pitch.isLarge() ? -hand * pitch.tuning.kick_off_turn : 0.0;
   if (request.ours) {
     placed[1] = facing(-runUp(pitch) * math::unit(turn), {});
     placed[2] = facing({ownLine(pitch) - pitch.front, -wide * hand}, {circle, -wide * hand});

@@ -35,8 +35,8 @@ bool isMet(const Picture& picture) {
 
 std::optional<Move> freeBall(const Picture& picture, int robot, Memory& memory) {
   const Vec2 rel = picture.ballFrom(robot);
-  // Where robots cannot shove each other, one beside the ball could only drive it back.
-  const bool behind = picture.pitch.shoves || rel.x > 0.5 * norm(rel);
+  // A robot beside the ball could only drive it back.
+  const bool behind = rel.x > 0.5 * norm(rel);
   if (!behind || !disputesFreeBall(picture) || !contested(picture)) return std::nullopt;
   if (memory.spin.locked <= 0.0 &&
       (touchesFreeBall(picture, rel) || isStandOff(picture, rel, shotOf(picture, robot, memory.shot).aim)))
