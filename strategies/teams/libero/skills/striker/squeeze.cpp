@@ -6,13 +6,14 @@
 namespace fulbito::libero::striker {
 namespace {
 
-/// Whether a squeeze is still worth more than a push, which `race` makes. A squeeze only holds a ball that no
-/// longer moves. Beside the own area it is to get the ball out, so it begins anew whenever the ball moves. In
-/// front of it, a ball that slips out is behind the robot, on the way to the own goal.
+/// Whether a squeeze is still worth more than a push, which `race` makes. A squeeze holds a ball that does not
+/// move, which in their half gives opponents time to come back. Beside the own area it is to get the ball out,
+/// even slowly. In front of it, a ball that slips out is behind the robot, on the way to the own goal.
 bool pays(const Picture& picture, const PressMemory& press) {
-  const double x = picture.ball.now().position.x, jam_time = picture.tuning.jam_time;
-  if (x < -picture.pitch.half_length + picture.pitch.area_front) return press.jammed <= jam_time;
-  return x > 0.0 && picture.stuck <= jam_time;
+  const Tuning& tuning = picture.tuning;
+  const double x = picture.ball.now().position.x;
+  if (x < -picture.pitch.half_length + picture.pitch.area_front) return press.jammed <= tuning.patience;
+  return x > 0.0 && picture.stuck <= tuning.jam_time;
 }
 
 }  // namespace
