@@ -1,5 +1,5 @@
 #include <cmath>
-#include <string_view>
+#include <utility>
 
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
@@ -52,8 +52,8 @@ TEST_CASE("libero plays kick-offs to either hand in turn", "[unit]") {
       REQUIRE(next);
       for (const std::size_t i : {1, 2}) {
         CAPTURE(size, ours, i);
-        // In small matches one robot is straight in the way of their kick, whatever the hand.
-        CHECK((one->robots[i]->position.y == 0.0) == (size == 3 && !ours && i == 1));
+        // In small matches robot 1 kicks straight and is straight in the way of their kick, whatever the hand.
+        CHECK((one->robots[i]->position.y == 0.0) == (size == 3 && i == 1));
         CHECK(one->robots[i]->position.x == Approx(next->robots[i]->position.x));
         CHECK(one->robots[i]->position.y == Approx(-next->robots[i]->position.y));
       }
@@ -61,14 +61,14 @@ TEST_CASE("libero plays kick-offs to either hand in turn", "[unit]") {
   }
 }
 
-TEST_CASE("libero kicks off straight ahead, or past robots that can shove", "[unit]") {
-  for (const char* robot : {"vsss", "firasim"}) {
-    const MatchInfo info = test::infoOf(3, robot);
+TEST_CASE("libero kicks off straight ahead, or past a crowd", "[unit]") {
+  for (const auto& [size, robot] : {std::pair(3, "vsss"), std::pair(5, "vsss"), std::pair(3, "firasim"), std::pair(5, "firasim")}) {
+    const MatchInfo info = test::infoOf(size, robot);
     const auto placed = test::liberoIn(info)->place({RestartKind::kKickOff, true, {}, {}, {}});
     REQUIRE(placed);
     const Pose2 taker = *placed->robots[1];
-    CAPTURE(robot);
-    CHECK((taker.position.y == 0.0) == (robot == std::string_view("firasim")));
+    CAPTURE(size, robot);
+    CHECK((taker.position.y == 0.0) == (size == 3));
     CHECK(cross(math::unit(taker.heading), -taker.position) == Approx(0.0).margin(1e-9));
     CHECK(dot(math::unit(taker.heading), -taker.position) > 0.0);
     // The kick goes to the side of the support, if to any.

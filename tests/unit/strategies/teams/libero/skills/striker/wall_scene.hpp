@@ -29,8 +29,8 @@ struct WallScene {
   Vec2 rel() const { return seen.ball.position - seen.own[0].state.pose.position; }
   /// What a skill does here.
   std::optional<libero::Move> move(libero::SkillFunction& skill) const {
-    libero::Memory memory;
-    return skill({seen, pitch, forecast, stuck, {}, free_balls_pay}, 0, memory);
+    libero::Memory remembered = memory;
+    return skill({seen, pitch, forecast, stuck, {}, free_balls_pay}, 0, remembered);
   }
 
   libero::Pitch pitch{matchInfo()};
@@ -38,6 +38,7 @@ struct WallScene {
   libero::BallForecast forecast;
   double stuck = 0.0;  // [s] for which the ball has been stuck
   bool free_balls_pay = false;
+  libero::Memory memory;  // of the robot, before the tick
 };
 
 inline constexpr Vec2 kAtCut{-0.725, 0.56};      // at the end wall, where the corner triangle begins
