@@ -7,13 +7,11 @@ namespace fulbito::libero::striker {
 namespace {
 
 /// Whether a squeeze is still worth more than a push, which `race` makes. A squeeze holds a ball that does not
-/// move, which in their half gives opponents time to come back. Beside the own area it is to get the ball out,
-/// even slowly. In front of it, a ball that slips out is behind the robot, on the way to the own goal.
+/// move. In the own half that keeps it from the own goal; in their half it gives opponents time to come back.
 bool pays(const Picture& picture, const PressMemory& press) {
   const Tuning& tuning = picture.tuning;
-  const double x = picture.ball.now().position.x;
-  if (x < -picture.pitch.half_length + picture.pitch.area_front) return press.jammed <= tuning.patience;
-  return x > 0.0 && picture.stuck <= tuning.jam_time;
+  const bool ours = picture.ball.now().position.x < 0.0;
+  return ours ? press.jammed <= tuning.patience : picture.stuck <= tuning.jam_time;
 }
 
 }  // namespace
