@@ -48,6 +48,14 @@ bool repeatsRestart(const ReplayEvent& event, const std::optional<RestartKind>& 
   return !event.restart && event.call.clause == "kick-off" && last == RestartKind::kKickOff;
 }
 
+/// The last row of a recording that does not reach the end of its match; else nothing.
+std::string endText(const RecordingReader& recording, double dt) {
+  if (recording.finished() && recording.result()->complete) return "";
+  const char* what =
+      recording.finished() ? "the recording ends before the match" : "the recording is cut off";
+  return rowOf(clockText(static_cast<double>(recording.ticks()) * dt), "", "", "", what, "", "", "", "");
+}
+
 Result<void> printLines(const RecordingReader& recording) {
   const auto events = eventsOf(recording);
   if (!events) return tl::unexpected<Error>(events.error());
@@ -58,6 +66,7 @@ Result<void> printLines(const RecordingReader& recording) {
     if (event.restart) last = event.restart;
     if (!repeatsRestart(event, last)) printOut(lineOf(event, dt));
   }
+  printOut(endText(recording, dt));
   return {};
 }
 
@@ -69,7 +78,8 @@ CLI::App* addReplayEvents(CLI::App& replay, ReplayEventsCommand& options) {
       "Columns: time in the recording; period and its clock (minutes:seconds, truncated); score after the "
       "event;\n"
       "call, or restart (-); team and robot that scored, take the restart, or committed the foul;\n"
-      "ball position; law; measured value and its limit.\n"
+      "ball position; law; measured value and its limit. A last row tells of a recording that is cut off\n"
+      "or ends before its match.\n"
       "Examples:\n"
       "  fulbito replay events game.fbr\n"
       "  fulbito replay events game.fbr --json     the same lines as fulbito match --events");

@@ -99,6 +99,18 @@ TEST_CASE("replay events gives the lines that the match wrote", "[cli]") {
   CHECK(contains(text.out, "- kick-off"));
 }
 
+TEST_CASE("replay events tells of a recording that does not reach the end", "[cli]") {
+  const Recordings box;
+  const std::string bytes = contentOf(box.path / "a.fbr");
+  box.write("cut.fbr", bytes.substr(0, bytes.size() - 100));
+  CHECK_FALSE(contains(box.run("replay events a.fbr").out, "cut off"));
+  const Output cut = box.run("replay events cut.fbr");
+  CHECK(cut.code == 0);
+  CHECK(cut.out.ends_with(" the recording is cut off\n"));
+  REQUIRE(box.run("replay cut a.fbr part.fbr --plays 1").code == 0);
+  CHECK(box.run("replay events part.fbr").out.ends_with(" the recording ends before the match\n"));
+}
+
 TEST_CASE("replay events prints a table with a head, in which a kick-off stands once", "[cli]") {
   const Recordings box;
   const std::string text = box.run("replay events a.fbr").out;

@@ -6,8 +6,9 @@
 namespace fulbito::libero::striker {
 namespace {
 
-/// Whether a squeeze is still worth more than a push, which `race` makes. A squeeze holds a ball that does not
-/// move. In the own half that keeps it from the own goal; in their half it gives opponents time to come back.
+/// Whether a squeeze is still worth more than a push, which `race` makes. A squeeze holds a ball that does
+/// not move. In the own half that keeps it from the own goal; in their half it gives opponents time to come
+/// back.
 bool pays(const Picture& picture, const PressMemory& press) {
   const Tuning& tuning = picture.tuning;
   const bool ours = picture.ball.now().position.x < 0.0;

@@ -52,7 +52,8 @@ TEST_CASE("libero plays kick-offs to either hand in turn", "[unit]") {
       REQUIRE(next);
       for (const std::size_t i : {1, 2}) {
         CAPTURE(size, ours, i);
-        // In small matches robot 1 kicks straight and is straight in the way of their kick, whatever the hand.
+        // In small matches robot 1 kicks straight and is straight in the way of their kick, whatever the
+        // hand.
         CHECK((one->robots[i]->position.y == 0.0) == (size == 3 && i == 1));
         CHECK(one->robots[i]->position.x == Approx(next->robots[i]->position.x));
         CHECK(one->robots[i]->position.y == Approx(-next->robots[i]->position.y));
@@ -62,7 +63,8 @@ TEST_CASE("libero plays kick-offs to either hand in turn", "[unit]") {
 }
 
 TEST_CASE("libero kicks off straight ahead, or past a crowd", "[unit]") {
-  for (const auto& [size, robot] : {std::pair(3, "vsss"), std::pair(5, "vsss"), std::pair(3, "firasim"), std::pair(5, "firasim")}) {
+  for (const auto& [size, robot] :
+       {std::pair(3, "vsss"), std::pair(5, "vsss"), std::pair(3, "firasim"), std::pair(5, "firasim")}) {
     const MatchInfo info = test::infoOf(size, robot);
     const auto placed = test::liberoIn(info)->place({RestartKind::kKickOff, true, {}, {}, {}});
     REQUIRE(placed);
