@@ -8,8 +8,9 @@ namespace {
 
 /// Whether a squeeze is still worth more than a push, which `race` makes. A squeeze holds a ball that does
 /// not move. In the own half that keeps it from the own goal; in their half it gives opponents time to come
-/// back.
+/// back. In a large match they are there already.
 bool pays(const Picture& picture, const PressMemory& press) {
+  if (picture.pitch.isLarge()) return false;
   const Tuning& tuning = picture.tuning;
   const bool ours = picture.ball.now().position.x < 0.0;
   return ours ? press.jammed <= tuning.patience : picture.stuck <= tuning.jam_time;
