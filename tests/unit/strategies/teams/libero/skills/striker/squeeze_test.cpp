@@ -64,7 +64,8 @@ TEST_CASE("libero squeezes longer in its half than in theirs", "[unit]") {
 
 TEST_CASE("libero does not squeeze in large matches", "[unit]") {
   WallScene scene(kAtEndWall, kAtEndWall + Vec2{0.02, -0.06}, kAtEndWall + Vec2{0.06, 0.03}, kUp);
-  scene.pitch = libero::Pitch(test::infoOf(5));
+  CHECK(scene.move(libero::striker::squeeze));
+  scene.pitch.team_size = 5;
   CHECK_FALSE(scene.move(libero::striker::squeeze));
   CHECK(scene.move(libero::striker::race));
 }
