@@ -1,5 +1,4 @@
 #include <cmath>
-#include <utility>
 
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
@@ -52,8 +51,7 @@ TEST_CASE("libero plays kick-offs to either hand in turn", "[unit]") {
       REQUIRE(next);
       for (const std::size_t i : {1, 2}) {
         CAPTURE(size, ours, i);
-        // In small matches robot 1 kicks straight and is straight in the way of their kick, whatever the
-        // hand.
+        // In small matches robot 1 kicks straight, and is in the way of a straight kick, whatever the hand.
         CHECK((one->robots[i]->position.y == 0.0) == (size == 3 && i == 1));
         CHECK(one->robots[i]->position.x == Approx(next->robots[i]->position.x));
         CHECK(one->robots[i]->position.y == Approx(-next->robots[i]->position.y));
@@ -63,22 +61,23 @@ TEST_CASE("libero plays kick-offs to either hand in turn", "[unit]") {
 }
 
 TEST_CASE("libero kicks off straight ahead, or past a crowd", "[unit]") {
-  for (const auto& [size, robot] :
-       {std::pair(3, "vsss"), std::pair(5, "vsss"), std::pair(3, "firasim"), std::pair(5, "firasim")}) {
-    const MatchInfo info = test::infoOf(size, robot);
-    const auto placed = test::liberoIn(info)->place({RestartKind::kKickOff, true, {}, {}, {}});
-    REQUIRE(placed);
-    const Pose2 taker = *placed->robots[1];
-    CAPTURE(size, robot);
-    CHECK((taker.position.y == 0.0) == (size == 3));
-    CHECK(cross(math::unit(taker.heading), -taker.position) == Approx(0.0).margin(1e-9));
-    CHECK(dot(math::unit(taker.heading), -taker.position) > 0.0);
-    // The kick goes to the side of the support, if to any.
-    CHECK(taker.position.y * placed->robots[2]->position.y <= 0.0);
-    const double gap = norm(taker.position) - info.robot.length / 2 - info.ball.radius;
-    CHECK(gap >= 0.0);
-    // An opponent outside the circle has a much longer way to the ball.
-    CHECK(gap < (info.field.centre_circle_radius - info.robot.length / 2) / 4);
+  for (const int size : {3, 5}) {
+    for (const char* robot : {"vsss", "firasim"}) {
+      const MatchInfo info = test::infoOf(size, robot);
+      const auto placed = test::liberoIn(info)->place({RestartKind::kKickOff, true, {}, {}, {}});
+      REQUIRE(placed);
+      const Pose2 taker = *placed->robots[1];
+      CAPTURE(size, robot);
+      CHECK((taker.position.y == 0.0) == (size == 3));
+      CHECK(cross(math::unit(taker.heading), -taker.position) == Approx(0.0).margin(1e-9));
+      CHECK(dot(math::unit(taker.heading), -taker.position) > 0.0);
+      // The kick goes to the side of the support, if to any.
+      CHECK(taker.position.y * placed->robots[2]->position.y <= 0.0);
+      const double gap = norm(taker.position) - info.robot.length / 2 - info.ball.radius;
+      CHECK(gap >= 0.0);
+      // An opponent outside the circle has a much longer way to the ball.
+      CHECK(gap < (info.field.centre_circle_radius - info.robot.length / 2) / 4);
+    }
   }
 }
 
