@@ -54,9 +54,8 @@ void watchJam(const Picture& picture, int robot, PressMemory& memory) {
 
 Twist pressOn(const Picture& picture, int robot, PressMemory& memory) {
   const RobotState& self = picture.own(robot);
-  memory.slipping =
-      memory.jammed > picture.tuning.jam_time ? picture.tuning.jam_time : memory.slipping - picture.seen.dt;
-  if (memory.slipping <= 0.0) return passThrough(picture.pitch, self, firstTouch(picture));
+  if (memory.jammed > picture.tuning.jam_time) memory.slipping = true;
+  if (!memory.slipping) return passThrough(picture.pitch, self, firstTouch(picture));
   const double out = std::copysign(picture.tuning.slant, picture.ball.now().position.y);
   return alongHeading(picture.pitch, self, math::angleOf(picture.ballFrom(robot)) + out, picture.pitch.speed);
 }

@@ -8,7 +8,7 @@ namespace fulbito::libero {
 /// What a robot that presses remembers between ticks.
 struct PressMemory {
   double jammed = 0.0;    ///< [s] time that robot and ball have pressed on something without motion
-  double slipping = 0.0;  ///< [s] left of letting a pinched ball slip out
+  bool slipping = false;  ///< whether the robot lets a pinched ball slip out
 };
 
 /// Whether a free ball is still disputed. Then its taker only drives at the ball.

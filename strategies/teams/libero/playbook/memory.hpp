@@ -14,12 +14,17 @@ struct Memory {
     double sense = 1.0;   ///< +1 counter-clockwise, -1 clockwise
     double locked = 0.0;  ///< [s] until the next spin may begin
   };
+  struct Ram {
+    double left = 0.0;  ///< [s] left of run-up and blow
+    double back = 0.0;  ///< [m/s] speed of the run-up
+  };
   struct Strike {
     int side = 0;       ///< present direction round the ball: +1 counter-clockwise, -1 clockwise, 0 none
     int direction = 0;  ///< index of the last strike direction, see `clearStrikeDirection`
   };
 
   Spin spin;
+  Ram ram;
   Strike strike;
   PressMemory press;
   ShotMemory shot;

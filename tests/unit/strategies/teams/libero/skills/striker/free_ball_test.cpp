@@ -73,6 +73,31 @@ TEST_CASE("libero lets a free ball that is pinched between two slip out to the s
   }
 }
 
+TEST_CASE(
+    "libero leaves a free ball of its half to strikes unless it is behind it, and one of theirs only ahead "
+    "of it",
+    "[unit]") {
+  const MatchInfo info = test::infoOf(3);
+  const libero::Pitch pitch(info);
+  const auto disputes = [&](double x, Vec2 own) {
+    Observation seen;
+    seen.restart = RestartKind::kFreeBall;
+    seen.ball.position = {x, 0.4};
+    seen.own[0] = test::standingAt({seen.ball.position + own, 0.0});
+    seen.opponents[0] = test::standingAt({seen.ball.position + Vec2{0.06, 0.0}, math::kPi});
+    libero::BallForecast forecast;
+    forecast.take(seen.ball, {});
+    libero::Memory memory;
+    return libero::striker::freeBall({seen, pitch, forecast}, 0, memory).has_value();
+  };
+  const Vec2 behind{-0.06, 0.0}, beside{-0.02, -0.06}, ahead{0.02, -0.06};
+  for (const double x : {-0.375, 0.375}) {
+    CHECK(disputes(x, behind));
+    CHECK(disputes(x, beside) == (x > 0.0));
+    CHECK_FALSE(disputes(x, ahead));
+  }
+}
+
 TEST_CASE("where robots cannot push each other away, libero spins a free ball past their goal", "[unit]") {
   const MatchInfo info = test::infoOf(3, "firasim");
   for (const double side : {1.0, -1.0}) {

@@ -1,0 +1,78 @@
+#include "fulbito/detail/math.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/unit/strategies/teams/libero/scenes.hpp"
+#include "tests/unit/strategies/teams/libero/skills/striker/wall_scene.hpp"
+
+namespace fulbito {
+namespace {
+
+using test::kDown, test::kUp, test::WallScene;
+
+constexpr Vec2 kAtSideWall{-0.62, 0.628};                // [m] ball in the own corner's part of the side wall
+constexpr Vec2 kGoalSide{-0.05, -0.045};                 // [m] of the robot relative to the ball
+constexpr Vec2 kAhead{0.055, -0.025}, kNear{0.1, -0.1};  // [m] of an opponent relative to the ball
+constexpr double kLeans = 1.9, kAlong = 3.1;             // [rad] headings of an opponent, into and along the wall
+
+/// A jam of our striker and an opponent that points to `heading`.
+WallScene jam(Vec2 ball, double side, double heading, Vec2 own = kGoalSide, Vec2 opponent = kAhead) {
+  WallScene scene(ball, ball + own, ball + opponent, side);
+  scene.seen.own[0].state.pose.heading = side * 0.7;
+  scene.seen.opponents[0].state.pose.heading = side * heading;
+  scene.memory.press.jammed = 1.0;
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("libero backs off from a wedged ball, and drives into it", "[unit]") {
+  for (const double side : {kUp, kDown}) {
+    WallScene scene = jam(kAtSideWall, side, kLeans);
+    const auto at = [&](int ticks) {
+      WallScene now = scene;
+      std::optional<libero::Move> move;
+      for (int i = 0; i < ticks; ++i) {
+        move = libero::striker::ram({now.seen, now.pitch, now.forecast}, 0, now.memory);
+        now.memory.press.jammed = 0.0;  // it moves
+      }
+      return move;
+    };
+    REQUIRE(at(1));
+    CHECK(at(1)->twist.linear == Approx(-scene.pitch.speed));
+    REQUIRE(at(16));
+    CHECK(at(16)->twist.linear > 0.8 * scene.pitch.speed);
+    CHECK_FALSE(at(20));  // the blow is over, and nothing jams yet
+    scene.seen.own[0].state.pose.heading += math::kPi;
+    CHECK(at(1)->twist.linear == Approx(scene.pitch.speed));
+  }
+}
+
+TEST_CASE("libero rams only deep in its half, goal-side, and where nobody comes after it", "[unit]") {
+  for (const double side : {kUp, kDown}) {
+    const auto rams = [](const WallScene& scene) { return scene.move(libero::striker::ram).has_value(); };
+    CHECK(rams(jam(kAtSideWall, side, kLeans)));
+    CHECK_FALSE(rams(jam(kAtSideWall, side, kAlong)));                     // it would follow
+    CHECK_FALSE(rams(jam(kAtSideWall, side, kAlong, kGoalSide, kNear)));   // so would one that is near
+    CHECK_FALSE(rams(jam({-0.2, 0.628}, side, kLeans)));                   // not deep
+    CHECK_FALSE(rams(jam({-0.728, 0.45}, side, kLeans, {0.045, -0.05})));  // not goal-side
+    WallScene moving = jam(kAtSideWall, side, kLeans);
+    moving.memory.press.jammed = 0.1;
+    CHECK_FALSE(rams(moving));
+    WallScene firm = jam(kAtSideWall, side, kLeans);
+    firm.pitch = libero::Pitch(test::infoOf(3, "firasim"));
+    CHECK_FALSE(rams(firm));
+  }
+}
+
+TEST_CASE("libero brings a ball that an opponent wedges at the wall out of its corner", "[unit]") {
+  Placement scene;
+  scene.ball = {-0.61, 0.628};
+  scene.robots[0][1] = Pose2{{-0.635, 0.567}, 0.05};
+  scene.robots[1][1] = Pose2{{-0.552, 0.602}, 1.25};
+  for (const double side : {1.0, -1.0}) {
+    const Match match = test::playedFrom(test::mirrored(scene, side), 4.0, "chaser");
+    CHECK(norm(match.world().balls[0].position - Vec2{scene.ball.x, side * scene.ball.y}) > 0.15);
+    CHECK(match.referee().score[1] == 0);
+  }
+}
+
+}  // namespace fulbito
