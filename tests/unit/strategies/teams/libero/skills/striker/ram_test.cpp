@@ -11,7 +11,7 @@ using test::kDown, test::kUp, test::WallScene;
 constexpr Vec2 kAtSideWall{-0.62, 0.628};                // [m] ball in the own corner's part of the side wall
 constexpr Vec2 kGoalSide{-0.05, -0.045};                 // [m] of the robot relative to the ball
 constexpr Vec2 kAhead{0.055, -0.025}, kNear{0.1, -0.1};  // [m] of an opponent relative to the ball
-constexpr double kLeans = 1.9, kAlong = 3.1;             // [rad] headings of an opponent, into and along the wall
+constexpr double kLeans = 1.9, kAlong = 3.1;  // [rad] headings of an opponent, into and along the wall
 
 /// A jam of our striker and an opponent that points to `heading`.
 WallScene jam(Vec2 ball, double side, double heading, Vec2 own = kGoalSide, Vec2 opponent = kAhead) {
