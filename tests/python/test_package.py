@@ -67,16 +67,21 @@ def test_it_needs_numpy_only() -> None:
     assert subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True).stdout == "[]\n"
 
 
-def test_it_loads_fast() -> None:
+def _processor_time(statement: str) -> float:
     times = []
     for _ in range(5):
         before = os.times()
-        subprocess.run([sys.executable, "-c", "import fulbito"], check=True)
+        subprocess.run([sys.executable, "-c", statement], check=True)
         after = os.times()
         times.append(after.children_user + after.children_system - before.children_user - before.children_system)
-    print(f"import fulbito: {min(times):.2f} s of processor time, the interpreter included")
-    # The bar is 0.2 s; processors that other work shares get more.
-    assert min(times) < 0.4, times
+    return min(times)
+
+
+def test_it_loads_fast() -> None:
+    # A ratio, since machines differ: NumPy is the largest thing that the package imports.
+    numpy, package = _processor_time("import numpy"), _processor_time("import fulbito")
+    print(f"processor time, the interpreter included: import numpy {numpy:.2f} s, import fulbito {package:.2f} s")
+    assert package < 1.8 * numpy, (numpy, package)
 
 
 def test_its_version_is_that_of_the_wheel() -> None:
