@@ -50,6 +50,13 @@ bool mustSave(const Picture& picture, int robot) {
          picture.ball.now().position.x > picture.own(robot).pose.position.x;
 }
 
+bool closesEndWall(const Picture& picture, const RobotState& self) {
+  const Pitch& pitch = picture.pitch;
+  const double y = picture.ball.now().position.y, out = std::copysign(1.0, y);
+  return self.pose.position.x < -pitch.half_length + pitch.touch + pitch.tuning.clearance &&
+         self.pose.position.y * out < y * out - pitch.ball_radius;
+}
+
 Twist alongLine(const Pitch& pitch, const RobotState& self, double line, double speed) {
   const double dx = line - self.pose.position.x;
   const double most = pitch.tuning.turn_in;

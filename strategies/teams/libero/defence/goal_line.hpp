@@ -27,6 +27,10 @@ bool shotComes(const Picture& picture);
 /// Whether the ball rolls into the own goal and `robot`, which is near the goal, must save it.
 bool mustSave(const Picture& picture, int robot);
 
+/// Whether the keeper is at the end wall on the goal's side of the ball: the wall is behind it, so that no
+/// ball passes there.
+bool closesEndWall(const Picture& picture, const RobotState& self);
+
 /// Drives along the line at `speed` [m/s]. A small turn toward the line corrects the distance from it.
 Twist alongLine(const Pitch& pitch, const RobotState& self, double line, double speed);
 

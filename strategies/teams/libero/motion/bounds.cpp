@@ -151,9 +151,12 @@ RobotCommand keptOut(const Picture& picture, int robot, Closed closed, Twist wan
   const bool own = self.pose.position.x < 0.0;
   if (!(own ? closed.own : closed.theirs) || isFar(picture, self, own)) return RobotCommand::byTwist(wanted);
   if (own) {
-    // A defender is inside with more than half of its body.
-    const double more = isPressed(picture, self) ? picture.pitch.around : 0.0;
-    return Bound{picture.pitch, self, picture.tuning.area_margin + more}.kept(wanted);
+    // A defender is inside with more than half of its body. One that is pressed comes no nearer, but it
+    // stays: a robot that drove out would let the ball in.
+    const double least = picture.tuning.area_margin;
+    const double room = -Bound{picture.pitch, self, least}.depth(self.pose.position);
+    const double more = isPressed(picture, self) ? std::clamp(room, 0.0, picture.pitch.around) : 0.0;
+    return Bound{picture.pitch, self, least + more}.kept(wanted);
   }
   // There any part of the body counts as inside.
   const double margin = picture.tuning.area_margin + picture.pitch.robot_corner;

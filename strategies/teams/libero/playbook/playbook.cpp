@@ -86,6 +86,7 @@ std::vector<SkillInfo> PlayBook::skills() {
 Move PlayBook::decide(Role role, const Picture& picture, int robot, Memory& memory) const {
   memory.shot.now.reset();
   memory.spin.locked = std::max(0.0, memory.spin.locked - picture.seen.dt);
+  memory.ram.left = std::max(0.0, memory.ram.left - picture.seen.dt);
   watchJam(picture, robot, memory.press);
   Move move;
   if (role == Role::kKeeper || !takeFirst(field_, picture, robot, memory, move))

@@ -31,22 +31,20 @@ bool comesFirst(const Picture& picture, const RobotState& self) {
 }
 
 /// Whether the keeper leaves its goal along the end wall to reach a ball there, as far as the area's depth
-/// beside the area. Far from the post the wall is behind the keeper, and no ball passes it. At the post an
-/// opponent would arrive at full speed, push beside the keeper's centre and turn it, and the ball would go
-/// in.
+/// beside the area, and stays at a ball that it has met. Far from the post the wall is behind the keeper, and
+/// no ball passes it. At the post an opponent would arrive at full speed, push beside the keeper's centre and
+/// turn it, and the ball would go in.
 bool meetsAlongWall(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
   const BallState& ball = picture.ball.now();
   const double out = ball.position.y >= 0.0 ? 1.0 : -1.0;
   const double y = ball.position.y * out;
-  const bool beside =
-      y > pitch.goal_half - pitch.ball_radius && y < pitch.area_half + pitch.field.goal_area_depth;
-  if (ball.position.x > -pitch.half_length + pitch.front || !beside) return false;
+  if (ball.position.x > -pitch.half_length + pitch.front || y < pitch.goal_half - pitch.ball_radius)
+    return false;
+  const bool met = distance(self.pose.position, ball.position) < pitch.touch + pitch.front;
+  if (!met && y > pitch.area_half + pitch.field.goal_area_depth) return false;
   // A fast ball arrives before the keeper.
-  if (ball.velocity.y * out < -picture.tuning.pushable) return false;
-  const double off_wall = pitch.touch + pitch.tuning.clearance;
-  return self.pose.position.x < -pitch.half_length + off_wall &&
-         self.pose.position.y * out < y - pitch.ball_radius;
+  return ball.velocity.y * out > -picture.tuning.pushable && closesEndWall(picture, self);
 }
 
 /// Pushes a near ball out to the side, away from the goal; empty if the keeper is not on the goal's side of
@@ -65,6 +63,9 @@ std::optional<Twist> pushAside(const Picture& picture, const RobotState& self) {
       rel.x < pitch.ball_radius && rel.x > -pitch.robot_corner && rel.y * out > pitch.robot_half;
   if (at_wall || beside) {
     if (rel.y * out < pitch.ball_radius) return std::nullopt;
+    // A face that looks into the field keeps the ball's push from turning the keeper off the wall.
+    if (at_wall && norm(rel) < pitch.touch && picture.opponentsNear(ball, pitch.touch + pitch.front) > 0)
+      return alongHeading(pitch, self, out * (math::kPi / 2 - pitch.tuning.slant), pitch.speed);
     return passThrough(pitch, self, {std::max(ball.x, keeperLine(pitch)), ball.y + pitch.bodies * out});
   }
   if (rel.x < pitch.ball_radius) return std::nullopt;

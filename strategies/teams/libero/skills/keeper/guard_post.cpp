@@ -20,7 +20,8 @@ bool alongEndWall(const Picture& picture) {
 
 /// Closes the near post with a face that deflects the ball into the field. The keeper stands within the
 /// mouth, so that a ball pushed along the wall hits the middle of its face. A hit beside the middle would
-/// turn the keeper, and the ball would pass behind it.
+/// turn the keeper, and the ball would pass behind it. A keeper that is farther out stays there: it would be
+/// pushed on faster if it went back.
 std::optional<Move> guardPost(const Picture& picture, int robot, Memory& /*memory*/) {
   const Pitch& pitch = picture.pitch;
   const RobotState& self = picture.own(robot);
@@ -29,9 +30,10 @@ std::optional<Move> guardPost(const Picture& picture, int robot, Memory& /*memor
     return std::nullopt;
   const Vec2 ball = picture.ball.now().position;
   const double side = ball.y > 0.0 ? 1.0 : -1.0;
-  const Vec2 post{-pitch.half_length + pitch.ball_radius,
-                  side * std::min(pitch.goal_half - pitch.robot_half - pitch.tuning.clearance,
-                                  std::abs(ball.y) - pitch.front)};
+  const double out = closesEndWall(picture, self) ? side * self.pose.position.y : 0.0;
+  const double within =
+      std::min(pitch.goal_half - pitch.robot_half - pitch.tuning.clearance, std::abs(ball.y) - pitch.front);
+  const Vec2 post{-pitch.half_length + pitch.ball_radius, side * std::max(out, within)};
   const Vec2 way = post - self.pose.position;
   Move move{.reason = "the ball is at the end wall", .place = post};
   // A keeper that was pushed into the goal must leave it first.

@@ -44,7 +44,6 @@ std::optional<Move> ram(const Picture& picture, int robot, Memory& memory) {
     const bool front = dot(math::unit(picture.own(robot).pose.heading), picture.ballFrom(robot)) > 0.0;
     ram = {.left = 2.0 * run, .back = front ? -picture.pitch.speed : picture.pitch.speed};
   }
-  ram.left -= picture.seen.dt;
   if (ram.left > run) return Move{.twist = {ram.back, 0.0}, .reason = "takes a run-up", .ball = ball};
   return Move{.twist = passThrough(picture.pitch, picture.own(robot), ball),
               .reason = "an opponent wedges the ball",

@@ -9,13 +9,11 @@ namespace {
 
 bool isOurPenalty(const Picture& picture) { return picture.isPenalty() && picture.seen.restart_is_ours; }
 
-/// Whether at an own penalty an opponent leaves its goal toward the ball. In the first three ticks, when
-/// its motion cannot be seen yet, the answer is yes.
+/// Whether at an own penalty an opponent leaves its goal toward the ball.
 bool keeperRunsOut(const Picture& picture) {
   const Observation& seen = picture.seen;
   const Pitch& pitch = picture.pitch;
   if (!isOurPenalty(picture)) return false;
-  if (seen.since_restart < 3 * pitch.tick) return true;
   for (int i = 0; i < seen.team_size; ++i) {
     if (!picture.opponentPresent(i)) continue;
     const RobotState& other = picture.opponent(i);

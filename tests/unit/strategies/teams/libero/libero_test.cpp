@@ -143,7 +143,9 @@ TEST_CASE("libero's penalties: who stands to take it does, and runs on when the 
     CHECK(command.roles[1] == kStriker);
     return test::twistOf(info, command.robots[1]);
   };
-  CHECK(taker().linear == Approx(info.robot.wheel_acceleration / 60.0).epsilon(0.01));
+  // It runs and turns toward a corner at once.
+  CHECK(taker().linear > 0.0);
+  CHECK(std::abs(taker().angular) > 0.5);
   seen.since_restart = 0.2;
   seen.tick = 313;
   seen.own[1] = test::standingAt({{0.2, -0.0175}, 0.1});

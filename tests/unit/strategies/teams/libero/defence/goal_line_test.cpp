@@ -102,4 +102,24 @@ TEST_CASE("libero's keeper slides along its line and stops where it should", "[u
   }
 }
 
+TEST_CASE("libero's keeper closes the end wall between ball and goal", "[unit]") {
+  const libero::Pitch pitch(test::infoOf(3));
+  for (const double side : {1.0, -1.0}) {
+    const auto closes = [&](Vec2 self, double ball) {
+      Observation seen;
+      seen.team_size = 3;
+      seen.own[0] = test::standingAt({{self.x, side * self.y}, 0.0});
+      seen.ball.position = {-0.728, side * ball};
+      libero::BallForecast forecast;
+      forecast.take(seen.ball, {});
+      return libero::closesEndWall({seen, pitch, forecast}, seen.own[0].state);
+    };
+    CHECK(closes({-0.70, 0.3}, 0.4));
+    CHECK_FALSE(closes({-0.60, 0.3}, 0.4));  // off the wall
+    CHECK_FALSE(closes({-0.70, 0.4}, 0.4));  // beside the ball
+    CHECK_FALSE(closes({-0.70, 0.5}, 0.4));  // the ball is nearer to the goal
+    CHECK(closes({-0.70, -0.1}, 0.4));
+  }
+}
+
 }  // namespace fulbito

@@ -50,6 +50,31 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
   CHECK(near > 1000);
 }
 
+TEST_CASE("libero's pressed defender comes no nearer to its area, but does not drive out", "[unit]") {
+  const MatchInfo info = test::infoOf(3);
+  const libero::Pitch pitch(info);
+  const libero::BallForecast ball;
+  const auto kept = [&](double room, Vec2 speed, Twist wanted) {
+    Observation seen;
+    seen.team_size = 3;
+    const double x = -pitch.half_length + info.field.goal_area_depth + room;
+    seen.own[1] = test::standingAt({{x, -0.2}, math::kPi / 2});
+    seen.own[1].state.velocity = speed;
+    seen.opponents[1] = test::standingAt({{x + 0.15, 0.0}, math::kPi});
+    seen.opponents[1].state.velocity = {-0.6, 0.0};
+    return libero::keptOut({seen, pitch, ball}, 1, {true, false}, wanted);
+  };
+  for (const double room : {0.03, 0.05, 0.09}) {
+    const RobotCommand along = kept(room, {}, {1.0, 0.0});
+    REQUIRE(along.kind == RobotCommand::Kind::kTwist);
+    CHECK(along.twist.linear == Approx(1.0));
+    CHECK(along.twist.angular == Approx(0.0).margin(1e-9));
+  }
+  // One that rolls in is turned away, pressed or not.
+  const RobotCommand inward = kept(0.05, {-0.5, 0.0}, {1.0, 5.0});
+  CHECK((inward.kind != RobotCommand::Kind::kTwist || inward.twist.angular < 5.0));
+}
+
 TEST_CASE("libero's second attacker leaves their goal's mouth by its front", "[unit]") {
   // From within the mouth the shortest way out of the area leads into the post, which would hold the robot.
   const FieldGeometry field = test::infoOf(3).field;

@@ -77,6 +77,47 @@ TEST_CASE("libero's keeper goes out to a ball that creeps along its end wall", "
   }
 }
 
+namespace {
+
+/// The move of a keeper at `self` [m] in its half of the end wall, for a ball at `ball` [m]. On the side -1
+/// everything is mirrored.
+std::optional<libero::Move> clears(double side, Vec2 self, Vec2 ball, std::optional<Vec2> opponent = {}) {
+  const libero::Pitch pitch(test::infoOf(3));
+  Observation seen;
+  seen.team_size = 3;
+  seen.own[0] = test::standingAt({{self.x, side * self.y}, side * math::kPi / 2});
+  if (opponent)
+    seen.opponents[1] = test::standingAt({{opponent->x, side * opponent->y}, -side * math::kPi / 2});
+  seen.ball.position = {ball.x, side * ball.y};
+  libero::BallForecast forecast;
+  forecast.take(seen.ball, {});
+  libero::Memory memory;
+  return libero::keeper::clear({seen, pitch, forecast}, 0, memory);
+}
+
+}  // namespace
+
+TEST_CASE("libero's keeper stays at a ball in the corner that it has met", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    CHECK(clears(side, {-0.708, 0.45}, {-0.728, 0.52}));
+    CHECK_FALSE(clears(side, {-0.708, 0.3}, {-0.728, 0.52}));   // it has not met this one
+    CHECK_FALSE(clears(side, {-0.708, 0.58}, {-0.728, 0.52}));  // the ball is behind it
+  }
+}
+
+TEST_CASE("libero's keeper turns its face to the field against a ball that is pushed at it", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    const Vec2 self{-0.708, 0.3}, ball{-0.728, 0.36};
+    const auto pushed = clears(side, self, ball, Vec2{-0.71, 0.42});
+    const auto alone = clears(side, self, ball);
+    REQUIRE(pushed);
+    REQUIRE(alone);
+    CHECK(side * pushed->twist.angular < -1.0);
+    CHECK(side * alone->twist.angular > -1.0);
+    CHECK(pushed->twist.linear > 1.0);
+  }
+}
+
 TEST_CASE("libero's keeper leaves balls in the corner to the others", "[unit]") {
   for (const double side : {1.0, -1.0}) {
     for (const char* robot : {"vsss", "firasim"}) {

@@ -1,4 +1,7 @@
+#include <string>
+
 #include "fulbito/detail/math.hpp"
+#include "strategies/teams/libero/playbook/playbook.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 #include "tests/unit/strategies/teams/libero/skills/striker/wall_scene.hpp"
@@ -18,6 +21,7 @@ WallScene jam(Vec2 ball, double side, double heading, Vec2 own = kGoalSide, Vec2
   WallScene scene(ball, ball + own, ball + opponent, side);
   scene.seen.own[0].state.pose.heading = side * 0.7;
   scene.seen.opponents[0].state.pose.heading = side * heading;
+  scene.seen.since_restart = 10.0;
   scene.memory.press.jammed = 1.0;
   return scene;
 }
@@ -25,24 +29,29 @@ WallScene jam(Vec2 ball, double side, double heading, Vec2 own = kGoalSide, Vec2
 }  // namespace
 
 TEST_CASE("libero backs off from a wedged ball, and drives into it", "[unit]") {
+  const libero::PlayBook book;
   for (const double side : {kUp, kDown}) {
     WallScene scene = jam(kAtSideWall, side, kLeans);
-    const auto at = [&](int ticks) {
+    // The last of so many moves, of which the `others` in the middle are those of another role.
+    const auto at = [&](int ticks, int others = 0) {
       WallScene now = scene;
-      std::optional<libero::Move> move;
+      libero::Move move;
       for (int i = 0; i < ticks; ++i) {
-        move = libero::striker::ram({now.seen, now.pitch, now.forecast}, 0, now.memory);
+        const bool away = i > 0 && i <= others;
+        const libero::Role role = away ? libero::Role::kSupport : libero::Role::kStriker;
+        move = book.decide(role, {now.seen, now.pitch, now.forecast}, 0, now.memory);
         now.memory.press.jammed = 0.0;  // it moves
       }
       return move;
     };
-    REQUIRE(at(1));
-    CHECK(at(1)->twist.linear == Approx(-scene.pitch.speed));
-    REQUIRE(at(16));
-    CHECK(at(16)->twist.linear > 0.8 * scene.pitch.speed);
-    CHECK_FALSE(at(20));  // the blow is over, and nothing jams yet
+    CHECK(std::string(at(1).skill) == "ram");
+    CHECK(at(1).twist.linear == Approx(-scene.pitch.speed));
+    CHECK(std::string(at(17).skill) == "ram");
+    CHECK(at(17).twist.linear > 0.8 * scene.pitch.speed);
+    CHECK(std::string(at(20).skill) != "ram");      // the blow is over, and nothing jams yet
+    CHECK(std::string(at(20, 18).skill) != "ram");  // an interrupted one ends at the same time
     scene.seen.own[0].state.pose.heading += math::kPi;
-    CHECK(at(1)->twist.linear == Approx(scene.pitch.speed));
+    CHECK(at(1).twist.linear == Approx(scene.pitch.speed));
   }
 }
 

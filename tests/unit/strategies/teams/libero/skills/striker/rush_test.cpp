@@ -24,13 +24,13 @@ TEST_CASE("libero runs straight at a penalty's ball that lies if that is a shot 
   const MatchInfo info = test::infoOf(3);
   const Vec2 ball{0.375, 0.0};
   // How fast [rad/s] the taker turns that comes from `y` [m], while their keeper stays.
-  const auto turns = [&](double y, Vec2 rolling) {
+  const auto turns = [&](double y, Vec2 rolling, double since_restart = 0.3) {
     Observation seen;
     seen.team_size = 3;
     seen.playing = true;
     seen.restart = RestartKind::kPenalty;
     seen.restart_is_ours = true;
-    seen.since_restart = 0.3;
+    seen.since_restart = since_restart;
     seen.ball = {ball, rolling, rolling};
     const Vec2 way{0.4, -y};
     seen.own[0] = test::standingAt({{-0.71, 0.0}, math::kPi / 2});
@@ -42,6 +42,7 @@ TEST_CASE("libero runs straight at a penalty's ball that lies if that is a shot 
   for (const double side : {1.0, -1.0}) {
     CHECK(turns(side * 0.17, {}) < 0.1);
     CHECK(turns(side * 0.05, {}) > 0.1);
+    CHECK(turns(side * 0.05, {}, 0.0) > 0.1);  // at once, since its way is short
     CHECK(turns(side * 0.17, {0.5, side * 0.3}) > 0.1);
   }
 }
