@@ -73,13 +73,13 @@ double approachHeading(const Pitch& pitch, Vec2 robot, Vec2 contact, double dire
 }
 
 Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec2 direction, double round,
-                   Vec2 rolling, int& side) {
+                   double cone, Vec2 rolling, int& side) {
   const Tuning& tuning = pitch.tuning;
   const Vec2 ahead = self.pose.position + self.velocity * tuning.look_ahead;
   const Vec2 local = intoFrame(direction, ahead - contact);
   const double along = math::angleOf(direction), behind = -local.x;
   const double least = pitch.ball_radius + tuning.clearance;
-  if (behind < least || std::abs(local.y) > tuning.cone * behind) {
+  if (behind < least || std::abs(local.y) > cone * behind) {
     const double heading = approachHeading(pitch, ahead, contact, along,
                                            behind < least ? round : roundRadius(pitch, contact.x), side);
     const Vec2 way = contact - self.pose.position;

@@ -20,10 +20,10 @@ double approachHeading(const Pitch& pitch, Vec2 robot, Vec2 contact, double dire
                        int& side);
 
 /// Drives so as to hit `contact` along the unit vector `direction`. While the robot is in front of the ball,
-/// it drives round it on a circle of radius `round` [m], slowly enough for that circle. Then it follows the
-/// line behind the ball, slowly enough to be aligned before the touch. `rolling` is the ball's velocity
-/// [m/s].
+/// it drives round it on a circle of radius `round` [m], slowly enough for that circle. Within `cone`,
+/// lateral per forward distance, it follows the line behind the ball, slowly enough to be aligned before the
+/// touch. `rolling` is the ball's velocity [m/s].
 Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec2 direction, double round,
-                   Vec2 rolling, int& side);
+                   double cone, Vec2 rolling, int& side);
 
 }  // namespace fulbito::libero

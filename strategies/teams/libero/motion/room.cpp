@@ -165,6 +165,11 @@ struct Body {
     const double hand = dot(going, perp(off)) >= 0.0 ? 1.0 : -1.0;
     const Twist slide = alongHeading(
         pitch, self, math::angleOf(perp(off) * hand + off * 2 * pitch.tuning.slant), pitch.speed);
+    // Between a wanted turn and the slide's, which change from tick to tick, a robot would turn to and fro
+    // and never move: turns go first.
+    const Twist straight{wanted.linear, 0.0};
+    if (std::abs(wanted.linear) > pitch.tuning.lies && allows(straight))
+      return RobotCommand::byTwist(straight);
     if (allows(slide)) return RobotCommand::byTwist(slide);
     if (allows({0.0, slide.angular})) return RobotCommand::byTwist({0.0, slide.angular});
     return away();

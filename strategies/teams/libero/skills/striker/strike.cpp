@@ -24,6 +24,18 @@ double mostSpeed(const Picture& picture, int robot, Vec2 direction) {
   return std::min(pitch.speed, std::max(turning, dot(direction, ball.velocity)));
 }
 
+/// Lateral per forward distance within which the robot follows the line behind the ball. With an opponent
+/// near, an early strike is worth more than an exact one. But in a jam, a robot that does not drive round the
+/// ball holds it.
+double coneFor(const Picture& picture, int robot) {
+  const Vec2 ball = picture.ball.now().position;
+  const double touch = picture.pitch.touch;
+  if (!picture.pitch.shoves || picture.opponentsNear(ball, picture.tuning.rival_far) == 0)
+    return picture.tuning.cone;
+  const bool jams = norm(picture.ballFrom(robot)) < touch && picture.opponentsNear(ball, touch) > 0;
+  return jams ? picture.tuning.cone : picture.tuning.wide_cone;
+}
+
 }  // namespace
 
 std::optional<Move> strike(const Picture& picture, int robot, Memory& memory) {
@@ -39,7 +51,8 @@ std::optional<Move> strike(const Picture& picture, int robot, Memory& memory) {
   const int crowd = std::min(2, picture.opponentsNear(now.position, pitch.bodies + pitch.front));
   const double round = roundRadius(pitch, aim.contact.x) + crowd * roundGap(pitch, aim.contact.x);
   Move move{.reason = aim.wall ? "along the wall" : "at the widest gap", .ball = shot.ball};
-  move.twist = driveThrough(pitch, self, aim.contact, aim.direction, round, now.velocity, memory.strike.side);
+  move.twist = driveThrough(pitch, self, aim.contact, aim.direction, round, coneFor(picture, robot),
+                            now.velocity, memory.strike.side);
   const double most = mostSpeed(picture, robot, aim.direction);
   move.twist.linear = std::clamp(move.twist.linear, -most, most);
   move.place = insideWalls(pitch.field, aim.contact - aim.direction * pitch.front, pitch.robot_half);

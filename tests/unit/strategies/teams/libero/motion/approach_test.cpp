@@ -59,17 +59,21 @@ TEST_CASE("a robot that has the ball pushes it straight on, wherever it lies on 
     for (const double off : {-0.015, 0.015}) {
       robot.pose = {{-pitch.front, off}, 0.0};
       int hand = 0;
-      CHECK(std::abs(libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, {}, hand).angular) < 1e-9);
+      CHECK(std::abs(libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, pitch.tuning.cone, {}, hand)
+                         .angular) < 1e-9);
     }
     // At a wall, it drives along the wall.
     const Vec2 at_wall{0.0, pitch.half_width - pitch.robot_half};
     robot.pose.position = at_wall + Vec2{-pitch.front, 0.015};
     int toward = 0;
-    CHECK(std::abs(libero::driveThrough(pitch, robot, at_wall, {1.0, 0.0}, 0.09, {}, toward).angular) > 0.1);
+    CHECK(
+        std::abs(libero::driveThrough(pitch, robot, at_wall, {1.0, 0.0}, 0.09, pitch.tuning.cone, {}, toward)
+                     .angular) > 0.1);
     // A ball near the edge of the face is brought back to its middle.
     robot.pose.position = {-pitch.front, 0.02};
     int hand = 0;
-    CHECK(libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, {}, hand).angular < -0.1);
+    CHECK(libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, pitch.tuning.cone, {}, hand).angular <
+          -0.1);
   }
 }
 
@@ -80,10 +84,13 @@ TEST_CASE("a robot on its way to the ball stops turning a tick before its headin
     robot.angular_velocity = 4.0;
     robot.pose = {{-0.4, 0.0}, -robot.angular_velocity * pitch.tick};
     int hand = 0;
-    CHECK(std::abs(libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, {}, hand).angular) < 1e-9);
+    CHECK(std::abs(
+              libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, pitch.tuning.cone, {}, hand).angular) <
+          1e-9);
     // With the ball at its face, it pushes on: there a firm turn counts more than a calm one.
     robot.pose.position.x = -pitch.front;
-    CHECK(libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, {}, hand).angular > 0.1);
+    CHECK(libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, pitch.tuning.cone, {}, hand).angular >
+          0.1);
   }
 }
 
@@ -94,7 +101,8 @@ TEST_CASE("libero overtakes a rolling ball whose direction it has to mend", "[un
     robot.pose = {{-0.095, side * 0.01}, side * -0.2};
     robot.velocity = {0.72, 0.0};
     int hand = 0;
-    const Twist twist = libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, {0.72, 0.0}, hand);
+    const Twist twist =
+        libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, pitch.tuning.cone, {0.72, 0.0}, hand);
     CHECK(twist.linear > 1.1);
   }
 }

@@ -238,4 +238,17 @@ TEST_CASE("who touches the ball disputes it", "[unit]") {
   CHECK_FALSE(libero::atBall(pitch, robot, robot.pose.position + (touch + 0.006) * math::unit(0.7)));
 }
 
+TEST_CASE("libero's striker drives off beside their keeper instead of turning to and fro", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    Placement scene;
+    scene.ball = {0.60, -0.50};
+    scene.robots[0] = {Pose2{{-0.7, 0.0}, 1.57}, Pose2{{0.645, -0.11}, -2.02}};
+    scene.robots[1] = {Pose2{{0.74, -0.15}, -1.87}};
+    const Match match = test::playedFrom(test::mirrored(scene, side), 1.0, "idle", "firasim");
+    const Vec2 place = match.world().robots[1].pose.position;
+    CAPTURE(side, place.x, place.y);
+    CHECK(side * place.y < -0.2);
+  }
+}
+
 }  // namespace fulbito

@@ -1,6 +1,7 @@
 #include <string>
 
 #include "fulbito/detail/math.hpp"
+#include "match/drills/drill.hpp"
 #include "strategies/teams/libero/playbook/playbook.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
@@ -72,16 +73,23 @@ TEST_CASE("libero rams only deep in its half, goal-side, and where nobody comes 
   }
 }
 
-TEST_CASE("libero brings a ball that an opponent wedges at the wall out of its corner", "[unit]") {
-  Placement scene;
-  scene.ball = {-0.61, 0.628};
-  scene.robots[0][1] = Pose2{{-0.635, 0.567}, 0.05};
-  scene.robots[1][1] = Pose2{{-0.552, 0.602}, 1.25};
-  for (const double side : {1.0, -1.0}) {
-    const Match match = test::playedFrom(test::mirrored(scene, side), 4.0, "chaser");
-    CHECK(norm(match.world().balls[0].position - Vec2{scene.ball.x, side * scene.ball.y}) > 0.15);
-    CHECK(match.referee().score[1] == 0);
-  }
+TEST_CASE("libero's rams bring balls that an opponent presses out of its corner", "[unit]") {
+  // Successes in 60 trials of the drill under pressure.
+  const auto successes = [](const char* team) {
+    DrillOptions options;
+    options.team = *parseTeam(team);
+    options.trials = 120;
+    const auto reports = runDrills(builtInDrills(), {8}, options, {});
+    REQUIRE(reports);
+    int count = 0;
+    for (const DrillTrial& trial : reports->front().trials)
+      count += trial.start == 1 && trial.success ? 1 : 0;
+    return count;
+  };
+  const int with = successes("libero"), without = successes("libero:without=ram");
+  CAPTURE(with, without);
+  CHECK(with > 40);
+  CHECK(with > without + 15);
 }
 
 }  // namespace fulbito

@@ -1,5 +1,6 @@
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
+#include "tests/unit/strategies/teams/libero/skills/striker/wall_scene.hpp"
 
 namespace fulbito {
 namespace {
@@ -67,6 +68,32 @@ TEST_CASE("libero holds against one who presses on its ball head-on", "[unit]") 
     }
     CHECK(norm(moved) >= 0.04);
     CHECK(moved.x > -0.03);
+  }
+}
+
+TEST_CASE("libero strikes sooner with an opponent near that can shove, but drives round a jammed ball",
+          "[unit]") {
+  // How much [rad/s] the wide cone changes the turn of a robot at `own`, for an opponent at `rival` and a
+  // ball in the middle.
+  const auto changes = [](Vec2 own, Vec2 rival, double side, const char* robot) {
+    const auto turn = [&](double wide) {
+      libero::Tuning tuning;
+      tuning.wide_cone = wide;
+      test::WallScene scene({0.0, 0.0}, own, rival, side);
+      scene.pitch = libero::Pitch(test::infoOf(3, robot), tuning);
+      scene.seen.own[0].state.pose.heading = 0.0;
+      const auto move = scene.move(libero::striker::strike);
+      return move ? move->twist.angular : 0.0;
+    };
+    return std::abs(turn(1.0) - turn(libero::Tuning{}.cone));
+  };
+  const Vec2 behind{-0.25, -0.15}, near{-0.1, 0.25};
+  for (const double side : {test::kUp, test::kDown}) {
+    CHECK(changes(behind, near, side, "vsss") > 0.1);
+    CHECK(changes(behind, {-0.2, 0.45}, side, "vsss") == 0.0);
+    CHECK(changes(behind, near, side, "firasim") == 0.0);
+    CHECK(changes({-0.055, -0.03}, {0.061, 0.0}, side, "vsss") == 0.0);
+    CHECK(changes({-0.055, -0.03}, near, side, "vsss") > 0.1);
   }
 }
 
