@@ -18,7 +18,7 @@ export PATH="$work/bin:$PATH"
 count=0
 for page in "${pages[@]}"; do
   mkdir -p "$work/run/examples"
-  cp -r "$root/examples/teams" "$root/examples/paths" "$root/examples/tournaments" "$work/run/examples"
+  cp -r "$root/examples/drills" "$root/examples/teams" "$root/examples/paths" "$root/examples/tournaments" "$work/run/examples"
   cd "$work/run"
   while IFS= read -r line; do
     case "$line" in

@@ -417,6 +417,22 @@ TEST_CASE("results do not depend on the number of jobs", "[unit]") {
   CHECK(texts[0] == texts[1]);
 }
 
+TEST_CASE("the drills among the examples run", "[unit]") {
+  const auto drills = loadDrills(FULBITO_SOURCE_DIR "/examples/drills");
+  REQUIRE(drills);
+  DrillOptions options;
+  options.team = *parseTeam("chaser");
+  options.trials = 7;
+  const auto reports = runDrills(*drills, {}, options, {});
+  REQUIRE(reports);
+  REQUIRE(reports->size() == 2);
+  for (const DrillReport& report : *reports) {
+    CHECK(report.drill.starts.size() == 7);
+    CHECK(report.trials.size() == 7);
+    CHECK(report.verdicts.size() == 8);
+  }
+}
+
 TEST_CASE("a run of drills stops when it is told to", "[unit]") {
   DrillOptions options;
   options.team = *parseTeam("chaser");
