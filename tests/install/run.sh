@@ -78,14 +78,6 @@ quietly cmake --build "$work/paper"
 "$work/paper/paper" >"$work/hybrid.json"
 grep -q '"id": "gap-1.3-map"' "$work/hybrid.json" || fail 'an experiment built outside has no figures'
 
-# A paper's experiment, built from copies of its sources and the installed headers alone, runs.
-mkdir -p "$work/papers/experiments/papers"
-cp -r "$source/experiments/papers/hybrid" "$source/experiments/papers/random" "$work/papers/experiments/papers"
-quietly configure "$source/tests/install/paper" -DPAPERS="$work/papers"
-quietly cmake --build "$work/paper"
-"$work/paper/paper" >"$work/hybrid.json"
-grep -q '"id": "gap-1.3-map"' "$work/hybrid.json" || fail 'an experiment built outside has no figures'
-
 configure "$source/tests/install/wrong" >"$work/log" 2>&1 && fail 'a component that does not exist was found'
 grep -q "no component 'pictures'" "$work/log" || { cat "$work/log"; fail 'a wrong component gets no clear message'; }
 

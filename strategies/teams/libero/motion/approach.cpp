@@ -87,7 +87,8 @@ Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec
                              std::abs(math::wrapAngle(math::angleOf(way) - along)) > tuning.turn_in;
     const double led = alongWalls(pitch, self.pose.position, heading);
     return alongHeading(pitch, turnedOn(pitch, self), led,
-                        comes_round ? arrivingSpeed(pitch, norm(way)) : pitch.speed);
+                        comes_round ? arrivingSpeed(pitch, norm(way)) : pitch.speed,
+                        turnGain(pitch, self, norm(way)));
   }
   side = 0;
   const double to_touch = std::max(0.0, behind - pitch.front);
@@ -103,7 +104,7 @@ Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec
   const double speed =
       std::min(pitch.speed, touch + (to_touch + pitch.ball_radius) / std::max(needed, pitch.tick));
   if (to_touch < tuning.clearance) return alongHeading(pitch, self, heading, speed, tuning.push_gain);
-  return alongHeading(pitch, turnedOn(pitch, self), heading, speed);
+  return alongHeading(pitch, turnedOn(pitch, self), heading, speed, turnGain(pitch, self, to_touch));
 }
 
 }  // namespace fulbito::libero

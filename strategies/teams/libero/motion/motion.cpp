@@ -5,6 +5,7 @@
 
 #include "engine/core/math/braking.hpp"
 #include "fulbito/detail/math.hpp"
+#include "strategies/prediction/time_to_reach.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -40,6 +41,13 @@ Twist alongHeading(const Pitch& pitch, const RobotState& robot, double heading, 
   return {sign * speed * (c * c), std::clamp(gain * error, -pitch.turn_rate, pitch.turn_rate)};
 }
 
+double turnGain(const Pitch& pitch, const RobotState& robot, double way) {
+  if (pitch.shoves) return pitch.tuning.turn_gain;
+  constexpr double kTimeConstants = 3.0;  // after which a twentieth of an error is left
+  const double time = timeAlong(pitch.pace, way, norm(robot.velocity));
+  return std::min(pitch.tuning.turn_gain, kTimeConstants / std::max(time, pitch.tick));
+}
+
 Twist alongHeading(const Pitch& pitch, const RobotState& robot, double heading, double speed) {
   return alongHeading(pitch, robot, heading, speed, pitch.tuning.turn_gain);
 }
@@ -71,7 +79,8 @@ Twist restAt(const Pitch& pitch, const RobotState& robot, Vec2 place, double hea
 }
 
 Twist passThrough(const Pitch& pitch, const RobotState& robot, Vec2 place) {
-  return alongHeading(pitch, robot, math::angleOf(place - robot.pose.position), pitch.speed);
+  const Vec2 way = place - robot.pose.position;
+  return alongHeading(pitch, robot, math::angleOf(way), pitch.speed, turnGain(pitch, robot, norm(way)));
 }
 
 }  // namespace fulbito::libero
