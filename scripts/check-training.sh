@@ -26,7 +26,7 @@ export PYTHONDONTWRITEBYTECODE=1 PIP_DISABLE_PIP_VERSION_CHECK=1
 
 [ -x "$venv/bin/python" ] || "${PYTHON:-python3}" -m venv "$venv"
 PATH=$venv/bin:$PATH
-pip install -q "nanobind>=2.4" "scikit-build-core>=0.10" ninja numpy "gymnasium>=1.0" pettingzoo onnx onnxruntime stable-baselines3 torch "ray>=2.9" pytest
+pip install -q "nanobind>=2.4" "scikit-build-core>=0.10" numpy "gymnasium>=1.0" pettingzoo onnx onnxruntime stable-baselines3 torch "ray>=2.9" pytest
 settings=()
 # With the settings of the preset, nothing is compiled twice.
 [ ! -f build/ci/CMakeCache.txt ] || settings=(-C build-dir=build/ci -C cmake.define.FULBITO_BUILD_TESTS=ON -C cmake.define.FULBITO_WERROR=ON)
