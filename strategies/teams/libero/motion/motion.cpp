@@ -43,9 +43,10 @@ Twist alongHeading(const Pitch& pitch, const RobotState& robot, double heading, 
 
 double turnGain(const Pitch& pitch, const RobotState& robot, double way) {
   if (pitch.shoves) return pitch.tuning.turn_gain;
-  constexpr double kTimeConstants = 3.0;  // after which a twentieth of an error is left
+  // The error falls with the cube of the time left, the lowest power for which both the turn and the motors'
+  // pull on it end at the place.
   const double time = timeAlong(pitch.pace, way, norm(robot.velocity));
-  return std::min(pitch.tuning.turn_gain, kTimeConstants / std::max(time, pitch.tick));
+  return std::min(pitch.tuning.turn_gain, 3 / std::max(time, pitch.tick));
 }
 
 Twist alongHeading(const Pitch& pitch, const RobotState& robot, double heading, double speed) {
