@@ -10,8 +10,8 @@ namespace fulbito::libero {
 Twist alongHeading(const Pitch& pitch, const RobotState& robot, double heading, double speed);
 Twist alongHeading(const Pitch& pitch, const RobotState& robot, double heading, double speed, double gain);
 
-/// The gain [1/s] of a turn toward a place that is `way` [m] away. Motors that turn a robot are missing for its
-/// speed. So a robot that speeds up slowly turns over the time that the way takes.
+/// The gain [1/s] of a turn toward a place that is `way` [m] away. Motors that turn a robot are missing for
+/// its speed. So a robot that speeds up slowly turns over the time that the way takes.
 double turnGain(const Pitch& pitch, const RobotState& robot, double way);
 
 /// The greatest yaw rate [rad/s] from which the robot can stop after a turn by `angle` [rad] >= 0.
