@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/math/braking.hpp"
 #include "fulbito/detail/math.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
 #include "strategies/skills/area_projection.hpp"
@@ -30,10 +31,21 @@ bool comesFirst(const Picture& picture, const RobotState& self) {
   return true;
 }
 
+/// How far [m] beside the goal's middle a keeper that sets off now meets a ball at the end wall: where it is,
+/// or where it has come to along the wall once keeper and ball have closed the gap.
+double meetingPlace(const Pitch& pitch, const RobotState& self, const BallState& ball, double out) {
+  const double y = ball.position.y * out, coming = std::max(0.0, -ball.velocity.y * out);
+  const double gap = std::max(0.0, y - self.pose.position.y * out - pitch.front);
+  const double closing = std::max(0.0, coming + self.velocity.y * out);
+  const double time = (stoppingSpeed(pitch.acceleration, gap, closing) - closing) / pitch.acceleration;
+  return y - coming * time;
+}
+
 /// Whether the keeper leaves its goal along the end wall to reach a ball there, as far as the area's depth
 /// beside the area, and stays at a ball that it has met. Far from the post the wall is behind the keeper, and
 /// no ball passes it. At the post an opponent would arrive at full speed, push beside the keeper's centre and
-/// turn it, and the ball would go in.
+/// turn it, and the ball would go in. The longer wall of a large match lets opponents come at full speed, so
+/// that the keeper sets off sooner.
 bool meetsAlongWall(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
   const BallState& ball = picture.ball.now();
@@ -42,7 +54,8 @@ bool meetsAlongWall(const Picture& picture, const RobotState& self) {
   if (ball.position.x > -pitch.half_length + pitch.front || y < pitch.goal_half - pitch.ball_radius)
     return false;
   const bool met = distance(self.pose.position, ball.position) < pitch.touch + pitch.front;
-  if (!met && y > pitch.area_half + pitch.field.goal_area_depth) return false;
+  const double place = pitch.isLarge() ? meetingPlace(pitch, self, ball, out) : y;
+  if (!met && place > pitch.area_half + pitch.field.goal_area_depth) return false;
   // A fast ball arrives before the keeper.
   return ball.velocity.y * out > -picture.tuning.pushable && closesEndWall(picture, self);
 }

@@ -105,6 +105,35 @@ TEST_CASE("libero's keeper stays at a ball in the corner that it has met", "[uni
   }
 }
 
+TEST_CASE("in large matches libero's keeper sets off for the place where it meets a ball along the wall",
+          "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    for (const int team_size : {3, 5}) {
+      const libero::Pitch pitch(test::infoOf(team_size));
+      const double post = pitch.goal_half - pitch.ball_radius,
+                   far = pitch.area_half + pitch.field.goal_area_depth;
+      const auto goesTo = [&](double y, double coming) {
+        Observation seen;
+        seen.team_size = team_size;
+        seen.own[0] = test::standingAt({{-pitch.half_length + pitch.front, post * side}, math::kPi / 2});
+        seen.ball.position = {-pitch.half_length + pitch.ball_radius, y * side};
+        seen.ball.velocity = {0.0, -coming * side};
+        libero::BallForecast forecast;
+        forecast.take(seen.ball, {});
+        libero::Memory memory;
+        return libero::keeper::clear({seen, pitch, forecast}, 0, memory).has_value();
+      };
+      CAPTURE(side, team_size);
+      CHECK(goesTo(far - 0.01, 0.0));
+      CHECK(goesTo(far - 0.01, 1.0));
+      CHECK_FALSE(goesTo(far + 0.01, 0.0));
+      CHECK(goesTo(far + 0.05, 1.0) == pitch.isLarge());
+      // By the formula: the gap closes in 0.2 s, in which the ball comes 0.2 m.
+      CHECK_FALSE(goesTo(far + 0.3, 1.0));
+    }
+  }
+}
+
 TEST_CASE("libero's keeper turns its face to the field against a ball that is pushed at it", "[unit]") {
   for (const double side : {1.0, -1.0}) {
     const Vec2 self{-0.708, 0.3}, ball{-0.728, 0.36};
