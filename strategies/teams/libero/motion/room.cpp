@@ -208,13 +208,6 @@ bool ballBetween(const Picture& picture, const RobotState& self, const RobotStat
   return ball.x > 0.0 && ball.x < norm(way) && std::abs(ball.y) < picture.pitch.ball_radius;
 }
 
-/// What a robot does instead of `wanted` if that would bring it to the body; empty: `wanted` is fine.
-std::optional<RobotCommand> clearOf(const Body& body, Twist wanted) {
-  if (body.gap() < touchGap(body.pitch)) return body.away();
-  if (!body.allows(wanted)) return body.kept(wanted);
-  return std::nullopt;
-}
-
 /// Whether the robot gives way to its mate. A robot at the ball stays there, since opponents would take it.
 /// Otherwise each gives way to the keeper, then to the striker, and among supports to the one of smaller
 /// rank. A keeper out of its goal leaves the ball to a mate.
@@ -245,13 +238,17 @@ bool atBall(const Pitch& pitch, const RobotState& robot, Vec2 ball) {
 std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twist wanted) {
   if (picture.disputes(robot)) return std::nullopt;
   const RobotState& self = picture.own(robot);
+  std::optional<RobotCommand> kept;
   for (int i = 0; i < picture.seen.team_size; ++i) {
     const RobotState& other = picture.opponent(i);
     if (!picture.opponentPresent(i) || isFar(picture.pitch, self, other) || !keeps(picture, i)) continue;
     if (ballBetween(picture, self, other)) continue;
-    if (auto off = clearOf({picture, self, other}, wanted)) return off;
+    const Body body{picture, self, other};
+    // One that it touches comes before one that it comes near.
+    if (body.gap() < touchGap(picture.pitch)) return body.away();
+    if (!kept && !body.allows(wanted)) kept = body.kept(wanted);
   }
-  return std::nullopt;
+  return kept;
 }
 
 std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twist wanted,
@@ -259,10 +256,10 @@ std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twis
   memory.left -= picture.seen.dt;
   if (memory.left > 0.0) return memory.command;
   const RobotState& self = picture.own(robot);
-  const double held = memory.touching,
-               longest = picture.disputes(robot) ? picture.tuning.patience / 2 : 2 * picture.pitch.turn_time;
+  const double held = memory.touching;
   // It fades instead of ending at once, since a noisy sight parts robots that touch.
   memory.touching = std::max(0.0, held - picture.seen.dt);
+  std::optional<RobotCommand> kept;
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (i == robot || !picture.ownPresent(i)) continue;
     const RobotState& mate = picture.own(i);
@@ -272,13 +269,13 @@ std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twis
     const Body body{picture, self, mate};
     const bool touches = body.gap() < touchGap(picture.pitch);
     if (touches) memory.touching = held + picture.seen.dt;
-    if (touches && (!first || held > longest)) {
+    if (touches && (!first || held > 2 * picture.pitch.turn_time)) {
       memory = {picture.pitch.turn_time, held, body.away()};
       return memory.command;
     }
-    if (!touches && !first && !body.allows(wanted)) return body.kept(wanted);
+    if (!kept && !touches && !first && !body.allows(wanted)) kept = body.kept(wanted);
   }
-  return std::nullopt;
+  return kept;
 }
 
 }  // namespace fulbito::libero

@@ -26,8 +26,7 @@ struct YieldMemory {
 
 /// Mates yield: what `robot` does instead of `wanted` if that would hit a mate that goes first. A robot at
 /// the ball goes first, then the keeper, the striker, and the supports in their order. Any robot leaves
-/// a mate that it touches for long, and for longer at the ball: walls, areas or others may hold the mate.
-/// Empty: `wanted` is fine.
+/// a mate that it touches for long: walls, areas or others may hold the mate. Empty: `wanted` is fine.
 std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twist wanted,
                                          YieldMemory& memory);
 

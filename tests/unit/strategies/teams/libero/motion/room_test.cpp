@@ -161,7 +161,7 @@ TEST_CASE("of two mates that converge the one of lower role gives way, and both 
   seen.own[2].state.pose.position.x = -0.2 + 2.0 * pitch.robot_half + 0.001;
   CHECK_FALSE(off(1, 1.0));
   CHECK(off(2, 0.0));
-  // If the lower cannot leave, the higher does: soon, and later if it disputes the ball.
+  // If the lower cannot leave, the higher does, also at the ball.
   seen.dt = pitch.tick;
   const double touching = seen.own[2].state.pose.position.x;
   const auto leavesAfter = [&](double noise) {
@@ -176,7 +176,27 @@ TEST_CASE("of two mates that converge the one of lower role gives way, and both 
   CHECK(leavesAfter(0.0) == Approx(2 * pitch.turn_time).margin(2 * seen.dt));
   CHECK(leavesAfter(0.01) == Approx(4 * pitch.turn_time).margin(4 * seen.dt));
   picture.dispute_left[1] = 1.0;
-  CHECK(leavesAfter(0.0) == Approx(pitch.tuning.patience / 2).margin(2 * seen.dt));
+  CHECK(leavesAfter(0.0) == Approx(2 * pitch.turn_time).margin(2 * seen.dt));
+}
+
+TEST_CASE("a robot leaves the mate that it touches, whatever mate is before it", "[unit]") {
+  const libero::Pitch pitch(test::infoOf(5));
+  libero::BallForecast ball;
+  Observation seen;
+  seen.team_size = 5;
+  const Vec2 ahead{0.0, 2.2 * pitch.robot_half}, beside{-2.0 * pitch.robot_half - 0.001, 0.0};
+  seen.own[3] = test::standingAt({{0.0, 0.0}, math::kPi / 2});
+  // One of them is striker, the other a support of smaller rank: robot 3 gives way to both.
+  for (const int touched : {1, 2}) {
+    seen.own[static_cast<std::size_t>(touched)] = test::standingAt({beside, 0.0});
+    seen.own[static_cast<std::size_t>(3 - touched)] = test::standingAt({ahead, 0.0});
+    libero::Picture picture{seen, pitch, ball};
+    picture.keeper = 0, picture.striker = 1;
+    picture.rank[3] = 1;
+    libero::YieldMemory memory;
+    REQUIRE(libero::clearOfMates(picture, 3, {pitch.speed, 0.0}, memory));
+    CHECK(memory.left == pitch.turn_time);
+  }
 }
 
 TEST_CASE("a robot that touches a mate keeps its way off for a moment", "[unit]") {
