@@ -14,6 +14,7 @@
 #include "strategies/teams/libero/restarts.hpp"
 #include "strategies/teams/libero/roles.hpp"
 #include "strategies/teams/libero/situation/free_balls.hpp"
+#include "strategies/teams/libero/situation/stalls.hpp"
 #include "strategies/teams/libero/situation/tuning.hpp"
 
 namespace fulbito {
@@ -36,6 +37,7 @@ class Libero final : public Strategy {
     foresight_ = Foresight(info, BallForecast::horizon());
     forgetStriker();
     free_balls_.forget();
+    stalls_.forget();
     exercise_ = {};
     dispute_left_ = {};
     kick_off_hand_ = -1.0;
@@ -55,6 +57,8 @@ class Libero final : public Strategy {
     watchTouches(now);
     free_balls_.watch(now, foresight_.playBegan(), 2 * tuning_.patience);
     Picture picture{now, pitch_, ball_, stuck_, dispute_left_, free_balls_.pay()};
+    stalls_.watch(picture);
+    picture.stall_given_up = stalls_.isGivenUp();
     if (roles_.choose(picture) && picture.striker >= 0)
       memories_[static_cast<std::size_t>(picture.striker)] = {};
     TeamCommand command;
@@ -151,6 +155,7 @@ class Libero final : public Strategy {
   Foresight foresight_;
   BallForecast ball_;
   FreeBalls free_balls_;
+  Stalls stalls_;
   Roles roles_;
   PlayBook play_book_;
   std::array<Memory, kMaxTeamSize> memories_{};

@@ -25,6 +25,8 @@ struct Picture {
   std::array<double, kMaxTeamSize> dispute_left{};
   /// Whether free balls in the opponents' half are worth a wait in this match.
   bool free_balls_pay = false;
+  /// Whether the field players withdraw from a stall in the opponents' half.
+  bool stall_given_up = false;
   /// @{ What the choice of roles adds.
   int keeper = -1;   ///< the robot that keeps goal; -1: none
   int striker = -1;  ///< the robot that goes for the ball; -1: none

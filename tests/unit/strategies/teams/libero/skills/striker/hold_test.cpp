@@ -44,7 +44,7 @@ class Discouraged final : public Strategy {
   }
 
  private:
-  std::unique_ptr<Strategy> libero_ = *makeTeam(*parseTeam("libero"));
+  std::unique_ptr<Strategy> libero_ = *makeTeam(*parseTeam("libero:without=withdraw"));
 };
 
 }  // namespace
@@ -100,7 +100,7 @@ TEST_CASE("libero holds a ball against an opponent that pushes, as long as free 
   const TeamChoice discouraged =
       TeamChoice::own("discouraged", [] { return std::make_unique<Discouraged>(); });
   for (const double side : {kUp, kDown}) {
-    CHECK(moved(*parseTeam("libero"), side) < config.rules.stuck.radius);
+    CHECK(moved(*parseTeam("libero:without=withdraw"), side) < config.rules.stuck.radius);
     CHECK(moved(discouraged, side) > config.rules.stuck.radius);
   }
 }

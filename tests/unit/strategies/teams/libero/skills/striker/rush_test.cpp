@@ -1,5 +1,6 @@
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/unit/strategies/teams/libero/driven.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
 namespace fulbito {
