@@ -64,12 +64,14 @@ void Stalls::watchOpponents(const Picture& picture) {
 }
 
 /// The withdrawal ends once the ball has left, and is an offer to play on. Where robots can shove, both would
-/// then only be at the next wall. So there it lasts, once the opponents are known to withdraw.
+/// then only be at the next wall. So there it lasts, once the opponents are known to withdraw, until the ball
+/// comes near our goal.
 bool Stalls::endsWithdrawal(const Picture& picture) const {
   const Tuning& tuning = picture.tuning;
   const Vec2 ball = picture.ball.now().position;
   const bool lasts = picture.pitch.shoves && taken_ > leaned_;
-  return picture.opponentsNear(ball, 2 * tuning.rival_far) == 0 ||
+  return ball.x < -0.5 * picture.pitch.half_length ||
+         picture.opponentsNear(ball, 2 * tuning.rival_far) == 0 ||
          (!lasts && distance(ball, place_) > tuning.behind);
 }
 

@@ -4,9 +4,9 @@
 
 namespace fulbito::libero {
 
-/// Watches stalls: balls that lie still with opponents at them. Whoever attacks can end one: it withdraws, and
-/// both play on. A team that always did so would lose to one that leans on, so libero gives up as many stalls
-/// in the opponents' half as the opponents give up in ours.
+/// Watches stalls: balls that lie still with opponents at them. Whoever attacks can end one: it withdraws,
+/// and both play on. A team that always did so would lose to one that leans on, so libero gives up as many
+/// stalls in the opponents' half as the opponents give up in ours.
 class Stalls {
  public:
   /// Forgets the match.

@@ -84,8 +84,15 @@ TEST_CASE("an opponent that lets go of the ball for a moment does not give the s
   }
 }
 
-TEST_CASE("a withdrawal ends with the play, and once no opponent is near the ball", "[unit]") {
+TEST_CASE("a withdrawal ends with the play, near our goal, and once no opponent is near the ball", "[unit]") {
   Duel duel;
+  duel.opponentsGiveUpOne();
+  REQUIRE(duel.lies(kTheirs, kSoon));
+  duel.seen.ball.position.x = -0.55 * duel.pitch.half_length;
+  duel.opponentAt(duel.seen.ball.position + Vec2{0.1, 0.0});
+  duel.tick(0.0);
+  CHECK_FALSE(duel.stalls.isGivenUp());
+  duel.stalls.forget();
   REQUIRE(duel.lies(kTheirs, kSoon));
   duel.opponentAt({-0.7, 0.6});
   duel.tick(kSoon);
@@ -97,7 +104,8 @@ TEST_CASE("a withdrawal ends with the play, and once no opponent is near the bal
   CHECK_FALSE(duel.stalls.isGivenUp());
 }
 
-TEST_CASE("a withdrawal ends once the ball has left, but for robots that shove and give stalls up", "[unit]") {
+TEST_CASE("a withdrawal ends once the ball has left, but for robots that shove and give stalls up",
+          "[unit]") {
   for (const char* robot : {"vsss", "firasim"}) {
     CAPTURE(robot);
     Duel duel(robot);
