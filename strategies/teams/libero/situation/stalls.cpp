@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fulbito/detail/math.hpp"
+#include "strategies/teams/libero/attack/press.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -33,6 +34,8 @@ void Stalls::watch(const Picture& picture) {
     withdrawing_ = watching_ = 0.0;
     return;
   }
+  // A disputed free ball is a chance to throw the ball across.
+  if (disputesFreeBall(picture)) return;
   const double after = picture.tuning.patience / 4;
   if (picture.stuck > after && picture.stuck - dt <= after &&
       picture.opponentsNear(picture.ball.now().position, picture.tuning.rival_near) > 0)

@@ -84,6 +84,15 @@ TEST_CASE("an opponent that lets go of the ball for a moment does not give the s
   }
 }
 
+TEST_CASE("libero gives no disputed free ball up", "[unit]") {
+  Duel duel;
+  duel.seen.restart = RestartKind::kFreeBall;
+  duel.seen.since_restart = 1.0;
+  CHECK_FALSE(duel.lies(kTheirs, kSoon));
+  duel.seen.since_restart = duel.pitch.tuning.patience + 1.0;
+  CHECK(duel.lies(kTheirs, kSoon));
+}
+
 TEST_CASE("a withdrawal ends with the play, near our goal, and once no opponent is near the ball", "[unit]") {
   Duel duel;
   duel.opponentsGiveUpOne();
