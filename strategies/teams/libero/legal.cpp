@@ -48,7 +48,7 @@ RobotCommand legal(const Picture& picture, int robot, Twist wanted, YieldMemory&
     return clearOfMates(picture, robot, wanted, yield).value_or(RobotCommand::byTwist(wanted));
   const Pitch& pitch = picture.pitch;
   // A free ball lies at the area's edge, and a robot that avoids the edge would come late.
-  if (robot == picture.striker && disputesFreeBall(picture) && !ballIsKeepers(picture))
+  if (robot == picture.striker && picture.disputesFreeBall() && !ballIsKeepers(picture))
     return clearOfKeeper(picture, robot, wanted).value_or(RobotCommand::byTwist(wanted));
   // In five-a-side matches a second attacker in their area gains more than the resulting goal kicks cost.
   const bool theirs = !pitch.isLarge() && (robot != picture.striker || mateIsIn(picture));

@@ -7,11 +7,6 @@
 
 namespace fulbito::libero {
 
-bool disputesFreeBall(const Picture& picture) {
-  return picture.seen.restart == RestartKind::kFreeBall &&
-         picture.seen.since_restart < picture.tuning.patience;
-}
-
 Vec2 firstTouch(const Picture& picture) {
   const Vec2 ball = picture.ball.now().position;
   if (picture.seen.restart != RestartKind::kFreeBall || !picture.pitch.isLarge() || !picture.pitch.shoves)
@@ -28,7 +23,7 @@ bool isStandOff(const Picture& picture, Vec2 rel, const Aim& aim) {
 }
 
 bool keeperTookFreeBall(const Picture& picture) {
-  return !picture.pitch.shoves && disputesFreeBall(picture) && picture.ball.now().position.x > 0.0 &&
+  return !picture.pitch.shoves && picture.disputesFreeBall() && picture.ball.now().position.x > 0.0 &&
          !picture.hasOpponent(true);
 }
 

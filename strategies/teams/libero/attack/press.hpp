@@ -11,9 +11,6 @@ struct PressMemory {
   bool slipping = false;  ///< whether the robot lets a pinched ball slip out
 };
 
-/// Whether a free ball is still disputed. Then its taker only drives at the ball.
-bool disputesFreeBall(const Picture& picture);
-
 /// The wanted point [m] of the first touch. In five-a-side matches a free ball is met on its inner side.
 /// There it slips out between the two robots toward the side wall, away from the own goal.
 Vec2 firstTouch(const Picture& picture);

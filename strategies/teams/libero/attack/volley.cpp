@@ -69,7 +69,7 @@ double priceOf(const Picture& picture, double spare) {
 /// How far [m] beside the mouth the ball may go. One that would touch the post from outside still goes in if
 /// the run mends its aim on the way.
 double mostBeside(const Picture& picture) {
-  return disputesFreeBall(picture) ? 2 * picture.pitch.ball_radius : 0.0;
+  return picture.disputesFreeBall() ? 2 * picture.pitch.ball_radius : 0.0;
 }
 
 /// The run of `self` that meets the ball at `time` [s] from now, if its room less the price of its wait may
@@ -113,7 +113,7 @@ Hit hitOf(const Pitch& pitch, Vec2 rolling, Vec2 ahead, double speed) {
 
 double leastRoom(const Picture& picture) {
   if (!picture.hasOpponent(false)) return 0.0;
-  return disputesFreeBall(picture) ? std::numeric_limits<double>::lowest() : -picture.pitch.front;
+  return picture.disputesFreeBall() ? std::numeric_limits<double>::lowest() : -picture.pitch.front;
 }
 
 std::optional<Volley> volleyAt(const Picture& picture, int robot, double time) {

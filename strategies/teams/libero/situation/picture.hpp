@@ -48,6 +48,10 @@ struct Picture {
   bool isPenalty() const {
     return seen.restart == RestartKind::kPenalty && seen.since_restart <= tuning.patience;
   }
+  /// Whether a free ball of either team has just begun.
+  bool disputesFreeBall() const {
+    return seen.restart == RestartKind::kFreeBall && seen.since_restart < tuning.patience;
+  }
   /// Number of opponents whose centres are within `radius` [m] of `place`.
   int opponentsNear(Vec2 place, double radius) const {
     int near = 0;

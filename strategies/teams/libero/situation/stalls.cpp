@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "fulbito/detail/math.hpp"
-#include "strategies/teams/libero/attack/press.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -35,7 +34,7 @@ void Stalls::watch(const Picture& picture) {
     return;
   }
   // A disputed free ball is a chance to throw the ball across.
-  if (disputesFreeBall(picture)) return;
+  if (picture.disputesFreeBall()) return;
   const double after = picture.tuning.patience / 4;
   if (picture.stuck > after && picture.stuck - dt <= after &&
       picture.opponentsNear(picture.ball.now().position, picture.tuning.rival_near) > 0)

@@ -18,7 +18,7 @@ bool isFirst(const Picture& picture, int robot) {
 /// it turned back to its goal, an opponent would have the ball for itself.
 std::optional<Move> freeBall(const Picture& picture, int robot, Memory& memory) {
   if (auto move = striker::spinOn(picture, robot, memory)) return move;
-  if (!disputesFreeBall(picture) || !isFirst(picture, robot)) return std::nullopt;
+  if (!picture.disputesFreeBall() || !isFirst(picture, robot)) return std::nullopt;
   if (auto move = striker::freeBall(picture, robot, memory)) return move;
   return striker::spin(picture, robot, memory);
 }

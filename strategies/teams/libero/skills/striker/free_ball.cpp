@@ -37,7 +37,7 @@ std::optional<Move> freeBall(const Picture& picture, int robot, Memory& memory) 
   const Vec2 rel = picture.ballFrom(robot);
   // A robot ahead of the ball could only drive it back. In our half, so does one beside it.
   const bool behind = rel.x > (picture.ball.now().position.x < 0.0 ? 0.5 * norm(rel) : 0.0);
-  if (!behind || !disputesFreeBall(picture) || !contested(picture)) return std::nullopt;
+  if (!behind || !picture.disputesFreeBall() || !contested(picture)) return std::nullopt;
   if (memory.spin.locked <= 0.0 &&
       (touchesFreeBall(picture, rel) || isStandOff(picture, rel, shotOf(picture, robot, memory.shot).aim)))
     return std::nullopt;
