@@ -5,13 +5,14 @@
 namespace fulbito::libero {
 
 /// Watches stalls: balls that lie still with opponents at them. Whoever attacks can end one: it withdraws,
-/// and both play on. A team that always did so would lose to one that leans on, so libero gives up as many
-/// stalls in the opponents' half as the opponents give up in ours.
+/// and both play on. A team that always did so would lose to one that leans on. So libero offers one stall,
+/// and goes on with opponents that give up theirs, too.
 class Stalls {
  public:
   /// Forgets the match.
   void forget() { *this = {}; }
 
+  /// Takes the next tick of the match; no robot has a role yet.
   void watch(const Picture& picture);
 
   /// Whether the field players withdraw from the ball now.
