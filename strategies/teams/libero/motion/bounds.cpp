@@ -136,10 +136,15 @@ bool isPressed(const Picture& picture, const RobotState& robot) {
   return false;
 }
 
+/// The margin [m] at the opponents' area. Any part of the body counts as inside there. A robot comes there
+/// beside the striker, which may stop at the edge as well, and one of both must stay outside: each has a
+/// margin.
+double theirMargin(const Pitch& pitch) { return pitch.robot_corner + 2 * pitch.tuning.area_margin; }
+
 /// Whether the robot rests before it can come to the area at any margin. Most robots are that far away.
 bool isFar(const Picture& picture, const RobotState& robot, bool own) {
   const Pitch& pitch = picture.pitch;
-  const double margin = pitch.tuning.area_margin + std::max(pitch.around, pitch.robot_corner);
+  const double margin = std::max(pitch.tuning.area_margin + pitch.around, theirMargin(pitch));
   const double way = mostWay(pitch, norm(robot.velocity)) + pitch.tuning.clearance;
   return !isNearArea(pitch.field, robot.pose.position, own, margin + way);
 }
@@ -158,9 +163,7 @@ RobotCommand keptOut(const Picture& picture, int robot, Closed closed, Twist wan
     const double more = isPressed(picture, self) ? std::clamp(room, 0.0, picture.pitch.around) : 0.0;
     return Bound{picture.pitch, self, least + more}.kept(wanted);
   }
-  // There any part of the body counts as inside.
-  const double margin = picture.tuning.area_margin + picture.pitch.robot_corner;
-  return Bound{picture.pitch, inTeamFrame(Side::kRight, self), margin}.kept(wanted);
+  return Bound{picture.pitch, inTeamFrame(Side::kRight, self), theirMargin(picture.pitch)}.kept(wanted);
 }
 
 }  // namespace fulbito::libero

@@ -7,19 +7,25 @@
 namespace fulbito::libero {
 namespace {
 
-/// Whether no opponent is at the ball, and those on the way from it leave. Others let go of it for a moment,
-/// too, but seldom all together.
+/// Whether no opponent is at the ball, and those on the way from it drive toward their goal, at least one.
+/// Others let go of a ball, too, but for another way to it.
 bool opponentsWithdraw(const Picture& picture) {
   const Tuning& tuning = picture.tuning;
+  const Vec2 ball = picture.ball.now().position;
+  const Vec2 home = unitOr(picture.pitch.theirGoal() - ball, {1.0, 0.0});
+  bool one_leaves = false;
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (!picture.opponentPresent(i)) continue;
-    const Vec2 off = picture.opponent(i).pose.position - picture.ball.now().position;
+    const RobotState& opponent = picture.opponent(i);
+    const Vec2 off = opponent.pose.position - ball;
     const double away = norm(off);
     if (away < tuning.rival_near) return false;
-    if (away < 2 * tuning.rival_near && dot(picture.opponent(i).velocity, off) < tuning.lies * away)
+    if (away > 2 * tuning.rival_near) continue;
+    if (dot(opponent.velocity, off) < tuning.lies * away || dot(opponent.velocity, home) < tuning.lies)
       return false;
+    one_leaves = true;
   }
-  return true;
+  return one_leaves;
 }
 
 }  // namespace
@@ -47,12 +53,14 @@ void Stalls::watch(const Picture& picture) {
 /// the ball leaves at once, so three count for each. Leaning on may be a mishap once.
 bool Stalls::opponentsDoToo() const { return given_ < 1 + 3 * taken_ && leaned_ < 2 + taken_; }
 
+/// Opponents that may lean on get the ball only where it is far from our goal.
 void Stalls::begin(const Picture& picture, double horizon) {
-  if (picture.ball.now().position.x < 0.0) {
+  const Vec2 ball = picture.ball.now().position;
+  if (ball.x < 0.0) {
     watching_ = horizon;
-  } else if (opponentsDoToo()) {
+  } else if (opponentsDoToo() && (areKnownToWithdraw() || ball.x > 0.5 * picture.pitch.half_length)) {
     withdrawing_ = horizon;
-    place_ = picture.ball.now().position;
+    place_ = ball;
     ++given_;
   }
 }
@@ -71,7 +79,7 @@ void Stalls::watchOpponents(const Picture& picture) {
 bool Stalls::endsWithdrawal(const Picture& picture) const {
   const Tuning& tuning = picture.tuning;
   const Vec2 ball = picture.ball.now().position;
-  const bool lasts = picture.pitch.shoves && taken_ > leaned_;
+  const bool lasts = picture.pitch.shoves && areKnownToWithdraw();
   return ball.x < -0.5 * picture.pitch.half_length ||
          picture.opponentsNear(ball, 2 * tuning.rival_far) == 0 ||
          (!lasts && distance(ball, place_) > tuning.behind);

@@ -20,6 +20,7 @@ class Stalls {
 
  private:
   bool opponentsDoToo() const;
+  bool areKnownToWithdraw() const { return taken_ > leaned_; }
   void begin(const Picture& picture, double horizon);
   void watchOpponents(const Picture& picture);
   bool endsWithdrawal(const Picture& picture) const;

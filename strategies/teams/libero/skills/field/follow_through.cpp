@@ -17,12 +17,16 @@ bool hasItInFront(const Pitch& pitch, const RobotState& self, Vec2 ball) {
 }
 
 /// The point [m] of their goal's mouth next to where the ball rolls; empty if that is not ahead. From our
-/// half no ball gets through, and the robot would be far forward once it comes back.
-std::optional<Vec2> mouthAhead(const Pitch& pitch, const BallState& ball) {
+/// half no ball gets through, and the robot would be far forward once it comes back. A ball that would miss
+/// the mouth is only pushed on if an opponent could take it: otherwise there is time to mend its course.
+std::optional<Vec2> mouthAhead(const Picture& picture, const BallState& ball) {
+  const Pitch& pitch = picture.pitch;
   if (ball.position.x < 0.0 || ball.velocity.x < pitch.tuning.lies) return std::nullopt;
   const double left = pitch.half_length - ball.position.x;
-  const double most = pitch.goal_half - pitch.ball_radius;
+  const double most = pitch.goal_half - pitch.ball_radius - pitch.tuning.clearance;
   const double y = ball.position.y + ball.velocity.y / ball.velocity.x * left;
+  if (std::abs(y) > most && picture.opponentsNear(ball.position, picture.tuning.rival_far) == 0)
+    return std::nullopt;
   const Vec2 target{pitch.half_length, std::clamp(y, -most, most)};
   const Vec2 way = unitOr(target - ball.position, {1.0, 0.0});
   if (dot(way, ball.velocity) < math::cos(pitch.tuning.turn_in) * norm(ball.velocity)) return std::nullopt;
@@ -40,7 +44,7 @@ std::optional<Move> followThrough(const Picture& picture, int robot, Memory& mem
   // The taker of a penalty has aimed, and a push may bend the ball's way.
   if (memory.spin.left > 0.0 || picture.isPenalty() || !hasItInFront(pitch, self, ball.position))
     return std::nullopt;
-  const auto target = mouthAhead(pitch, ball);
+  const auto target = mouthAhead(picture, ball);
   if (!target) return std::nullopt;
   Move move{.twist = passThrough(pitch, self, *target),
             .reason = "a ball that rolls at their goal is pushed on",

@@ -22,7 +22,7 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
   for (int run = 0; run < 400; ++run) {
     const bool own = run % 2 == 0;
     const double sign = own ? 1.0 : -1.0;
-    const double least = own ? pitch.tuning.area_margin : pitch.tuning.area_margin + pitch.robot_corner;
+    const double least = own ? pitch.tuning.area_margin : 2 * pitch.tuning.area_margin + pitch.robot_corner;
     const auto outside = [&](Vec2 p) { return distanceToArea(info.field, p, own); };
     Observation seen;
     seen.team_size = 3;
@@ -44,7 +44,7 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
       const double room = outside(robot.pose.position);
       near += room < least + 0.02 ? 1 : 0;
       // A defender counts as inside with its centre on the line, an attacker with its corner.
-      REQUIRE(room > (own ? 0.0 : pitch.robot_corner - 0.001));
+      REQUIRE(room > (own ? 0.0 : pitch.robot_corner + pitch.tuning.area_margin / 2));
     }
   }
   CHECK(near > 1000);

@@ -11,11 +11,13 @@ namespace fulbito {
 namespace {
 
 /// Shares of two teams' play against each other: how often the ball is at a wall, and how often robots stand.
+/// Whole matches, since the teams first have to see that the other answers.
 std::pair<double, double> wallAndSlow(const char* blue, const char* yellow, const char* robot) {
-  MatchConfig config = test::matchOf(blue, yellow, "vsss-3v3", 60.0);
+  MatchConfig config = test::matchOf(blue, yellow, "vsss-3v3", 300.0);
   config.robot = *loadRobot(robot);
+  constexpr int kMatches = 2;
   double wall = 0.0, slow = 0.0;
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kMatches; ++seed) {
     config.seed = seed;
     auto match = Match::create(config);
     REQUIRE(match);
@@ -25,8 +27,8 @@ std::pair<double, double> wallAndSlow(const char* blue, const char* yellow, cons
     }
     const MatchStatistics& counted = watcher.statistics();
     const TeamPlay& play = counted.teams[0].play;
-    wall += static_cast<double>(counted.wall_ticks) / static_cast<double>(counted.play_ticks) / 4;
-    slow += static_cast<double>(play.slow_ticks) / static_cast<double>(play.robot_ticks) / 4;
+    wall += static_cast<double>(counted.wall_ticks) / static_cast<double>(counted.play_ticks) / kMatches;
+    slow += static_cast<double>(play.slow_ticks) / static_cast<double>(play.robot_ticks) / kMatches;
   }
   return {wall, slow};
 }
