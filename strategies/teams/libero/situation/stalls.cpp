@@ -7,25 +7,19 @@
 namespace fulbito::libero {
 namespace {
 
-/// Whether no opponent is at the ball, and those on the way from it drive toward their goal, at least one.
-/// Others let go of a ball, too, but for another way to it.
+/// Whether no opponent is at the ball, and those on the way from it leave. Others let go of it for a moment,
+/// too, but seldom all together.
 bool opponentsWithdraw(const Picture& picture) {
   const Tuning& tuning = picture.tuning;
-  const Vec2 ball = picture.ball.now().position;
-  const Vec2 home = unitOr(picture.pitch.theirGoal() - ball, {1.0, 0.0});
-  bool one_leaves = false;
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (!picture.opponentPresent(i)) continue;
-    const RobotState& opponent = picture.opponent(i);
-    const Vec2 off = opponent.pose.position - ball;
+    const Vec2 off = picture.opponent(i).pose.position - picture.ball.now().position;
     const double away = norm(off);
     if (away < tuning.rival_near) return false;
-    if (away > 2 * tuning.rival_near) continue;
-    if (dot(opponent.velocity, off) < tuning.lies * away || dot(opponent.velocity, home) < tuning.lies)
+    if (away < 2 * tuning.rival_near && dot(picture.opponent(i).velocity, off) < tuning.lies * away)
       return false;
-    one_leaves = true;
   }
-  return one_leaves;
+  return true;
 }
 
 }  // namespace
@@ -41,12 +35,19 @@ void Stalls::watch(const Picture& picture) {
   }
   // A disputed free ball is a chance to throw the ball across.
   if (picture.disputesFreeBall()) return;
-  const double after = picture.tuning.patience / 4;
+  const double after = stallsAfter(picture);
   if (picture.stuck > after && picture.stuck - dt <= after &&
       picture.opponentsNear(picture.ball.now().position, picture.tuning.rival_near) > 0)
     begin(picture, picture.tuning.patience + 2 * picture.pitch.turn_time);
   if (watching_ > 0.0) watchOpponents(picture);
   if (withdrawing_ > 0.0 && endsWithdrawal(picture)) withdrawing_ = 0.0;
+}
+
+/// The time [s] after which the ball counts as stalled. Once the opponents are known to withdraw, robots that
+/// can shove leave it as soon as it jams: they are away sooner. So our own stalls count from then, too.
+double Stalls::stallsAfter(const Picture& picture) const {
+  const bool early = areKnownToWithdraw() || picture.ball.now().position.x < 0.0;
+  return picture.pitch.shoves && early ? picture.tuning.jam_time : picture.tuning.patience / 4;
 }
 
 /// One stall more than they gave up goes first, or nobody would begin. Some of theirs escape notice, since

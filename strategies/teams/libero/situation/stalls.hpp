@@ -19,6 +19,7 @@ class Stalls {
   bool isGivenUp() const { return withdrawing_ > 0.0; }
 
  private:
+  double stallsAfter(const Picture& picture) const;
   bool opponentsDoToo() const;
   bool areKnownToWithdraw() const { return taken_ > leaned_; }
   void begin(const Picture& picture, double horizon);

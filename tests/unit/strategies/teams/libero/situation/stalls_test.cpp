@@ -1,7 +1,5 @@
 #include "strategies/teams/libero/situation/stalls.hpp"
 
-#include <utility>
-
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
@@ -86,26 +84,23 @@ TEST_CASE("an opponent that lets go of the ball for a moment does not give the s
   }
 }
 
-TEST_CASE("opponents that are gone, or drive elsewhere, do not give the stall up", "[unit]") {
-  const std::pair<Vec2, Vec2> ways[] = {
-      {{0.3, 0.0}, {0.1, -0.5}}, {{-0.3, 0.0}, {-0.5, 0.0}}, {{0.9, 0.0}, {0.5, 0.0}}};
-  for (const auto& [off, velocity] : ways) {
-    CAPTURE(off.x);
-    Duel duel;
-    CHECK(duel.lies(kTheirs, kSoon));
-    duel.lies(kOurs, kSoon);
-    duel.opponentAt(Vec2{kOurs, 0.6} + off, velocity);
-    duel.tick(kSoon);
-    CHECK_FALSE(duel.lies(kTheirs, kSoon));
-  }
-}
-
 TEST_CASE("libero's first offers are far from its goal", "[unit]") {
   Duel duel;
   CHECK_FALSE(duel.lies(0.3, kSoon));
   CHECK(duel.lies(kTheirs, kSoon));
   duel.opponentsGiveUpOne();
   CHECK(duel.lies(0.3, kSoon));
+}
+
+TEST_CASE("robots that shove leave a stall sooner, once the opponents are known to withdraw", "[unit]") {
+  for (const char* robot : {"vsss", "firasim"}) {
+    CAPTURE(robot);
+    Duel duel(robot);
+    const double jams = duel.pitch.tuning.jam_time + 0.05;
+    CHECK_FALSE(duel.lies(kTheirs, jams));
+    duel.opponentsGiveUpOne();
+    CHECK(duel.lies(kTheirs, jams) == duel.pitch.shoves);
+  }
 }
 
 TEST_CASE("libero gives no disputed free ball up", "[unit]") {
