@@ -43,23 +43,23 @@ bool mateIsIn(const Picture& picture) {
 
 }  // namespace
 
-RobotCommand legal(const Picture& picture, int robot, Twist wanted, YieldMemory& yield) {
+RobotCommand legal(const Picture& picture, int robot, Twist wanted, Memory& memory) {
   if (robot == picture.keeper)
-    return clearOfMates(picture, robot, wanted, yield).value_or(RobotCommand::byTwist(wanted));
+    return clearOfMates(picture, robot, wanted, memory.yield).value_or(RobotCommand::byTwist(wanted));
   const Pitch& pitch = picture.pitch;
   // A free ball lies at the area's edge, and a robot that avoids the edge would come late.
   if (robot == picture.striker && picture.disputesFreeBall() && !ballIsKeepers(picture))
-    return clearOfKeeper(picture, robot, wanted).value_or(RobotCommand::byTwist(wanted));
+    return clearOfKeeper(picture, robot, wanted, memory.slide).value_or(RobotCommand::byTwist(wanted));
   // In five-a-side matches a second attacker in their area gains more than the resulting goal kicks cost.
   const bool theirs = !pitch.isLarge() && (robot != picture.striker || mateIsIn(picture));
   if (!theirs) {
-    if (const auto off = clearOfKeeper(picture, robot, wanted)) return *off;
+    if (const auto off = clearOfKeeper(picture, robot, wanted, memory.slide)) return *off;
   }
-  if (const auto off = clearOfMates(picture, robot, wanted, yield)) wanted = twistOf(pitch, *off);
+  if (const auto off = clearOfMates(picture, robot, wanted, memory.yield)) wanted = twistOf(pitch, *off);
   const RobotCommand kept = keptOut(picture, robot, {picture.keeper >= 0, theirs}, wanted);
   // A robot that must leave their area must not push the keeper aside.
   if (theirs && isInArea(pitch.field, picture.own(robot).pose.position, false, pitch.robot_corner)) {
-    if (const auto off = clearOfKeeper(picture, robot, twistOf(pitch, kept))) return *off;
+    if (const auto off = clearOfKeeper(picture, robot, twistOf(pitch, kept), memory.slide)) return *off;
   }
   return kept;
 }

@@ -141,8 +141,7 @@ class Libero final : public Strategy {
 
   /// The wheel speeds for what is legal of a wanted twist.
   WheelSpeeds wheelsFor(const Picture& picture, int robot, Twist wanted) {
-    YieldMemory& yield = memories_[static_cast<std::size_t>(robot)].yield;
-    const RobotCommand command = legal(picture, robot, wanted, yield);
+    const RobotCommand command = legal(picture, robot, wanted, memories_[static_cast<std::size_t>(robot)]);
     if (command.kind != RobotCommand::Kind::kTwist) return command.wheels;
     return quickTwist(robot_, picture.own(robot), command.twist, picture.seen.dt).wheels;
   }

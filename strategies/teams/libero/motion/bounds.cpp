@@ -136,6 +136,12 @@ bool isPressed(const Picture& picture, const RobotState& robot) {
   return false;
 }
 
+/// The way [m] that an opponent at full speed knocks a robot that stands: both go on at half that speed, and
+/// brake. Robots that cannot shove hardly come to full speed.
+double knockedWay(const Pitch& pitch) {
+  return pitch.shoves ? pitch.speed * pitch.speed / (8 * pitch.braking) : 0.0;
+}
+
 /// The margin [m] at the opponents' area. Any part of the body counts as inside there. A robot comes there
 /// beside the striker, which may stop at the edge as well, and one of both must stay outside: each has a
 /// margin.
@@ -144,7 +150,8 @@ double theirMargin(const Pitch& pitch) { return pitch.robot_corner + 2 * pitch.t
 /// Whether the robot rests before it can come to the area at any margin. Most robots are that far away.
 bool isFar(const Picture& picture, const RobotState& robot, bool own) {
   const Pitch& pitch = picture.pitch;
-  const double margin = std::max(pitch.tuning.area_margin + pitch.around, theirMargin(pitch));
+  const double own_margin = pitch.tuning.area_margin + knockedWay(pitch) + pitch.around;
+  const double margin = std::max(own_margin, theirMargin(pitch));
   const double way = mostWay(pitch, norm(robot.velocity)) + pitch.tuning.clearance;
   return !isNearArea(pitch.field, robot.pose.position, own, margin + way);
 }
@@ -157,8 +164,9 @@ RobotCommand keptOut(const Picture& picture, int robot, Closed closed, Twist wan
   if (!(own ? closed.own : closed.theirs) || isFar(picture, self, own)) return RobotCommand::byTwist(wanted);
   if (own) {
     // A defender is inside with more than half of its body. One that is pressed comes no nearer, but it
-    // stays: a robot that drove out would let the ball in.
-    const double least = picture.tuning.area_margin;
+    // stays: a robot that drove out would let the ball in. One that an opponent drives into must not be
+    // knocked in.
+    const double least = picture.tuning.area_margin + knockedWay(picture.pitch);
     const double room = -Bound{picture.pitch, self, least}.depth(self.pose.position);
     const double more = isPressed(picture, self) ? std::clamp(room, 0.0, picture.pitch.around) : 0.0;
     return Bound{picture.pitch, self, least + more}.kept(wanted);

@@ -157,19 +157,25 @@ struct Body {
     return RobotCommand::byWheels({best.linear / pitch.wheel_radius, best.linear / pitch.wheel_radius});
   }
 
-  /// The possible command nearest to `wanted` that keeps off the other.
-  RobotCommand kept(Twist wanted) const {
+  /// The heading [rad] along the other, a little off it, in the sense of `wanted`.
+  double slideHeading(Twist wanted) const {
     const Vec2 off = unitOr(self.pose.position - other.pose.position, {-1.0, 0.0});
     // A robot that only turns goes the way that it faces, so that both hands are alike.
     const Vec2 going = start.face * (std::abs(wanted.linear) > 1e-9 ? wanted.linear : 1.0);
     const double hand = dot(going, perp(off)) >= 0.0 ? 1.0 : -1.0;
-    const Twist slide = alongHeading(
-        pitch, self, math::angleOf(perp(off) * hand + off * 2 * pitch.tuning.slant), pitch.speed);
-    // Between a wanted turn and the slide's, which change from tick to tick, a robot would turn to and fro
-    // and never move: turns go first.
-    const Twist straight{wanted.linear, 0.0};
-    if (std::abs(wanted.linear) > pitch.tuning.lies && allows(straight))
-      return RobotCommand::byTwist(straight);
+    return math::angleOf(perp(off) * hand + off * 2 * pitch.tuning.slant);
+  }
+
+  /// Whether `wanted` is possible without its turn. Between a wanted turn and the slide's, which change from
+  /// tick to tick, a robot would turn to and fro and never move: turns go first.
+  bool goesStraight(Twist wanted) const {
+    return std::abs(wanted.linear) > pitch.tuning.lies && allows({wanted.linear, 0.0});
+  }
+
+  /// The possible command nearest to `wanted` that keeps off the other.
+  RobotCommand kept(Twist wanted) const {
+    const Twist slide = alongHeading(pitch, self, slideHeading(wanted), pitch.speed);
+    if (goesStraight(wanted)) return RobotCommand::byTwist({wanted.linear, 0.0});
     if (allows(slide)) return RobotCommand::byTwist(slide);
     if (allows({0.0, slide.angular})) return RobotCommand::byTwist({0.0, slide.angular});
     return away();
@@ -208,6 +214,24 @@ bool ballBetween(const Picture& picture, const RobotState& self, const RobotStat
   return ball.x > 0.0 && ball.x < norm(way) && std::abs(ball.y) < picture.pitch.ball_radius;
 }
 
+/// Whether the robot that drives `twist` is at the ball in half the time in which a contact with the keeper
+/// becomes a foul. Then it disputes the ball.
+bool reachesBall(const Picture& picture, const RobotState& self, Twist twist) {
+  const Pitch& pitch = picture.pitch;
+  const BallState& ball = picture.ball.now();
+  const double time = pitch.charge_time / 2;
+  const double far = mostWay(pitch, norm(self.velocity)) + norm(ball.velocity) * time + 2 * pitch.touch;
+  if (squaredNorm(ball.position - self.pose.position) > far * far) return false;
+  Roll roll(pitch, self);
+  RobotState there = self;
+  for (double t = pitch.tick; t < time + pitch.tick / 2; t += pitch.tick) {
+    roll.drive(twist);
+    there.pose = {roll.place, math::angleOf(roll.face)};
+    if (atBall(pitch, there, ball.position + ball.velocity * t)) return true;
+  }
+  return false;
+}
+
 /// Whether the robot gives way to its mate. A robot at the ball stays there, since opponents would take it.
 /// Otherwise each gives way to the keeper, then to the striker, and among supports to the one of smaller
 /// rank. A keeper out of its goal leaves the ball to a mate.
@@ -235,20 +259,31 @@ bool atBall(const Pitch& pitch, const RobotState& robot, Vec2 ball) {
   return norm(outside) < pitch.ball_radius + touchGap(pitch);
 }
 
-std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twist wanted) {
-  if (picture.disputes(robot)) return std::nullopt;
+std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twist wanted,
+                                          SlideMemory& slide) {
+  slide.left -= picture.seen.dt;
   const RobotState& self = picture.own(robot);
+  if (picture.disputes(robot) || reachesBall(picture, self, wanted)) return std::nullopt;
+  const Pitch& pitch = picture.pitch;
+  const bool slides = slide.left > 0.0;
+  if (slides) wanted = alongHeading(pitch, self, slide.heading, pitch.speed);
   std::optional<RobotCommand> kept;
   for (int i = 0; i < picture.seen.team_size; ++i) {
     const RobotState& other = picture.opponent(i);
-    if (!picture.opponentPresent(i) || isFar(picture.pitch, self, other) || !keeps(picture, i)) continue;
+    if (!picture.opponentPresent(i) || isFar(pitch, self, other) || !keeps(picture, i)) continue;
     if (ballBetween(picture, self, other)) continue;
     const Body body{picture, self, other};
     // One that it touches comes before one that it comes near.
-    if (body.gap() < touchGap(picture.pitch)) return body.away();
-    if (!kept && !body.allows(wanted)) kept = body.kept(wanted);
+    if (body.gap() < touchGap(pitch)) return body.away();
+    if (kept || body.allows(wanted)) continue;
+    if (slides && body.allows({0.0, wanted.angular})) {
+      kept = RobotCommand::byTwist({0.0, wanted.angular});
+      continue;
+    }
+    kept = body.kept(wanted);
+    if (!body.goesStraight(wanted)) slide = {pitch.turn_time, body.slideHeading(wanted)};
   }
-  return kept;
+  return kept || !slides ? kept : RobotCommand::byTwist(wanted);
 }
 
 std::optional<RobotCommand> clearOfMates(const Picture& picture, int robot, Twist wanted,

@@ -12,9 +12,18 @@ namespace fulbito::libero {
 /// Whether `robot` touches the ball.
 bool atBall(const Pitch& pitch, const RobotState& robot, Vec2 ball);
 
-/// What `robot` does instead of `wanted` if that would hit the keeper: it stops in time, turns off, or leaves
-/// a keeper that it touches. Empty: `wanted` is fine.
-std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twist wanted);
+/// What a robot remembers on its way along a keeper. Its wish changes with each small motion, and a robot
+/// that chose the way anew in each tick would turn to and fro.
+struct SlideMemory {
+  double left = 0.0;     ///< [s] for which it keeps the heading
+  double heading = 0.0;  ///< [rad]
+};
+
+/// What `robot` does instead of `wanted` if that would hit the keeper: it stops in time, drives along it, or
+/// leaves a keeper that it touches. Empty: `wanted` is fine, also if the robot is at the ball in half the
+/// time in which a contact becomes a foul.
+std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twist wanted,
+                                          SlideMemory& slide);
 
 /// What a robot remembers while it leaves a mate. The best way off changes with each small motion, and a
 /// robot that always took it would stand and tremble.

@@ -29,6 +29,7 @@ struct Memory {
   PressMemory press;
   ShotMemory shot;
   YieldMemory yield;
+  SlideMemory slide;
   double volley = 0.0;  ///< [s] until the robot meets the ball at its volley; 0: it plays none
 };
 

@@ -44,6 +44,7 @@ Pitch::Pitch(const MatchInfo& info, const Tuning& tuned)
       slide_deceleration(info.ball.slide_deceleration),
       stuck_radius(info.rules.stuck.radius),
       stuck_time(info.rules.stuck.seconds),
+      charge_time(info.rules.keeper.charge_seconds),
       shoves(2 * pace.acceleration > pace.braking),
       motors(info.robot, tick),
       team_size(info.rules.team_size) {}

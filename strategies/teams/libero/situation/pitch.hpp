@@ -65,6 +65,7 @@ struct Pitch {
   /// @}
   double stuck_radius;  ///< [m] of the circle in which referees count a ball as stuck
   double stuck_time;    ///< [s] after which they give a free ball for it
+  double charge_time;   ///< [s] after which they punish a robot that presses on the keeper without the ball
   /// Whether two robots that push can move one that resists. Where they cannot, duels stand still, robots
   /// speed up slowly, and spins are what moves a ball.
   bool shoves;

@@ -22,6 +22,9 @@ bool opponentsWithdraw(const Picture& picture) {
   return true;
 }
 
+/// Whether the ball is in the quarter of the field before their goal.
+bool isDeep(const Pitch& pitch, Vec2 ball) { return ball.x > 0.5 * pitch.half_length; }
+
 }  // namespace
 
 void Stalls::watch(const Picture& picture) {
@@ -50,16 +53,20 @@ double Stalls::stallsAfter(const Picture& picture) const {
   return picture.pitch.shoves && early ? picture.tuning.jam_time : picture.tuning.patience / 4;
 }
 
-/// One stall more than they gave up goes first, or nobody would begin. Some of theirs escape notice, since
-/// the ball leaves at once, so three count for each. Leaning on may be a mishap once.
-bool Stalls::opponentsDoToo() const { return given_ < 1 + 3 * taken_ && leaned_ < 2 + taken_; }
+/// Some stalls go first, or nobody would begin: two where robots cannot shove, as an offer costs less there.
+/// Some of the stalls that they give up escape notice, since the ball leaves at once, so three count for
+/// each. It ends once they have leant on as often as libero goes first.
+bool Stalls::opponentsDoToo(const Pitch& pitch) const {
+  const int first = pitch.shoves ? 1 : 2;
+  return given_ < first + 3 * taken_ && leaned_ < first + taken_;
+}
 
-/// Opponents that may lean on get the ball only where it is far from our goal.
+/// Opponents that have given up none get the ball only where it is far from our goal.
 void Stalls::begin(const Picture& picture, double horizon) {
   const Vec2 ball = picture.ball.now().position;
   if (ball.x < 0.0) {
     watching_ = horizon;
-  } else if (opponentsDoToo() && (areKnownToWithdraw() || ball.x > 0.5 * picture.pitch.half_length)) {
+  } else if (opponentsDoToo(picture.pitch) && (taken_ > 0 || isDeep(picture.pitch, ball))) {
     withdrawing_ = horizon;
     place_ = ball;
     ++given_;
@@ -70,7 +77,8 @@ void Stalls::watchOpponents(const Picture& picture) {
   const bool withdraw = opponentsWithdraw(picture);
   if (withdraw) ++taken_;
   const bool leans = picture.stuck > picture.tuning.patience;
-  if (leans && !withdraw) ++leaned_;
+  // Equals that do not know us yet lean on in the rest of our half, too.
+  if (leans && !withdraw && isDeep(picture.pitch, -picture.ball.now().position)) ++leaned_;
   if (withdraw || leans) watching_ = 0.0;
 }
 

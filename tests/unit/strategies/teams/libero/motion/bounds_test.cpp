@@ -1,6 +1,7 @@
 #include "strategies/teams/libero/motion/bounds.hpp"
 
 #include "engine/core/math/random.hpp"
+#include "fulbito/detail/math.hpp"
 #include "strategies/skills/area_projection.hpp"
 #include "strategies/skills/quick_twist.hpp"
 #include "tests/support/catch.hpp"
@@ -50,6 +51,29 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
   CHECK(near > 1000);
 }
 
+TEST_CASE("libero's defender stops so far before its area that a blow does not knock it in", "[unit]") {
+  for (const char* robot : {"vsss", "firasim"}) {
+    CAPTURE(robot);
+    const MatchInfo info = test::infoOf(3, robot);
+    const libero::Pitch pitch(info);
+    const libero::BallForecast ball;
+    Observation seen;
+    seen.team_size = 3;
+    seen.own[1] = test::standingAt({{-0.45, -0.2}, math::kPi});
+    RobotState& self = seen.own[1].state;
+    for (int tick = 0; tick < 120; ++tick) {
+      const RobotCommand command = libero::keptOut({seen, pitch, ball}, 1, {true, false}, {pitch.speed, 0.0});
+      const WheelSpeeds wheels = command.kind == RobotCommand::Kind::kWheels
+                                     ? command.wheels
+                                     : quickTwist(info.robot, self, command.twist, pitch.tick).wheels;
+      self = rolledForward(info.robot, self, saturate(info.robot, wheels), pitch.tick);
+      if (norm(self.velocity) < 0.01 && tick > 10) break;
+    }
+    const double blow = pitch.shoves ? pitch.speed / 2 : 0.0;  // [m/s] of both after it
+    CHECK(distanceToArea(info.field, self.pose.position, true) > blow * blow / (2 * pitch.braking));
+  }
+}
+
 TEST_CASE("libero's pressed defender comes no nearer to its area, but does not drive out", "[unit]") {
   const MatchInfo info = test::infoOf(3);
   const libero::Pitch pitch(info);
@@ -64,8 +88,9 @@ TEST_CASE("libero's pressed defender comes no nearer to its area, but does not d
     seen.opponents[1].state.velocity = {-0.6, 0.0};
     return libero::keptOut({seen, pitch, ball}, 1, {true, false}, wanted);
   };
+  const double knocked = pitch.speed * pitch.speed / (8 * pitch.braking);  // [m] by a blow
   for (const double room : {0.03, 0.05, 0.09}) {
-    const RobotCommand along = kept(room, {}, {1.0, 0.0});
+    const RobotCommand along = kept(knocked + room, {}, {1.0, 0.0});
     REQUIRE(along.kind == RobotCommand::Kind::kTwist);
     CHECK(along.twist.linear == Approx(1.0));
     CHECK(along.twist.angular == Approx(0.0).margin(1e-9));

@@ -1,5 +1,7 @@
 #include "strategies/teams/libero/motion/room.hpp"
 
+#include <cmath>
+
 #include "fulbito/detail/math.hpp"
 #include "referee/rules/clauses.hpp"
 #include "tests/support/catch.hpp"
@@ -114,7 +116,8 @@ TEST_CASE("libero brakes or turns off before a keeper that it drives at, unless 
   const auto off = [&](const Observation& seen, double dispute_left) {
     libero::Picture picture{seen, pitch, ball};
     picture.dispute_left[1] = dispute_left;
-    return libero::clearOfKeeper(picture, 1, ahead);
+    libero::SlideMemory slide;
+    return libero::clearOfKeeper(picture, 1, ahead, slide);
   };
   const double braking = pitch.speed * pitch.speed / (2.0 * pitch.acceleration);
   const double touch = 0.68 - 2.0 * pitch.robot_half;
@@ -134,6 +137,48 @@ TEST_CASE("libero brakes or turns off before a keeper that it drives at, unless 
   REQUIRE(leaves);
   CHECK(leaves->kind != RobotCommand::Kind::kGoTo);
   CHECK((leaves->kind == RobotCommand::Kind::kWheels ? leaves->wheels.left : leaves->twist.linear) < 0.0);
+}
+
+TEST_CASE("libero goes on past a keeper if it is at the ball before the contact becomes a foul", "[unit]") {
+  MatchInfo info = test::infoOf(3);
+  const auto isKept = [&](double beyond) {
+    const libero::Pitch pitch(info);
+    libero::BallForecast ball;
+    const double x = 0.68 - 2.0 * pitch.robot_half - pitch.tuning.clearance;
+    // The ball is beside the keeper, `beyond` the robot's face.
+    const Observation seen =
+        beforeKeeper({x, 0.07}, {0.3, 0.0}, {x + pitch.front + beyond, 0.07 + pitch.robot_half / 2});
+    ball.take(seen.ball, {});
+    const libero::Picture picture{seen, pitch, ball};
+    libero::SlideMemory slide;
+    return libero::clearOfKeeper(picture, 1, {pitch.speed, 0.0}, slide).has_value();
+  };
+  CHECK_FALSE(isKept(0.02));
+  CHECK(isKept(0.08));
+  info.rules.keeper.charge_seconds = 0.04;
+  CHECK(isKept(0.02));
+}
+
+TEST_CASE("libero keeps its way along a keeper for a while, whatever it wishes then", "[unit]") {
+  const libero::Pitch pitch(test::infoOf(3));
+  libero::BallForecast ball;
+  Observation seen =
+      beforeKeeper({0.68 - 2.0 * pitch.robot_half - 2.5 * pitch.tuning.clearance, 0.01}, {}, {0.7, 0.4});
+  ball.take(seen.ball, {});
+  seen.dt = pitch.tick;
+  const libero::Picture picture{seen, pitch, ball};
+  libero::SlideMemory slide;
+  const auto turns = [&](Twist wanted) {
+    const auto command = libero::clearOfKeeper(picture, 1, wanted, slide);
+    return command && command->kind == RobotCommand::Kind::kTwist ? command->twist.angular : 0.0;
+  };
+  const double first = turns({pitch.speed, 0.0});
+  REQUIRE(first != 0.0);
+  const Twist away{-pitch.speed, 0.0}, across{pitch.speed, -std::copysign(5.0, first)};
+  for (double passed = 2 * pitch.tick; passed < pitch.turn_time; passed += pitch.tick)
+    CHECK(turns(passed < pitch.turn_time / 2 ? away : across) * first > 0.0);
+  for (int i = 0; i < 2; ++i) turns(away);
+  CHECK(turns(away) == 0.0);
 }
 
 TEST_CASE("of two mates that converge the one of lower role gives way, and both after long contact",

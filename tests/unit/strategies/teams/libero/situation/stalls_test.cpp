@@ -52,24 +52,40 @@ struct Duel {
 
 }  // namespace
 
-TEST_CASE("libero gives up one stall, and three for each that the opponents give up", "[unit]") {
-  Duel duel;
-  CHECK_FALSE(duel.lies(kTheirs, 0.4));
-  CHECK(duel.lies(kTheirs, kSoon));
-  CHECK_FALSE(duel.lies(kTheirs, kSoon));
-  duel.opponentsGiveUpOne();
-  CHECK_FALSE(duel.stalls.isGivenUp());  // never in our half
-  for (const bool given : {true, true, true, false}) CHECK(duel.lies(kTheirs, kSoon) == given);
-  duel.stalls.forget();
-  CHECK(duel.lies(kTheirs, kSoon));
+TEST_CASE(
+    "libero gives up one stall, or two where robots cannot shove, and three for each that the "
+    "opponents give up",
+    "[unit]") {
+  for (const char* robot : {"vsss", "firasim"}) {
+    CAPTURE(robot);
+    Duel duel(robot);
+    CHECK_FALSE(duel.lies(kTheirs, 0.4));
+    CHECK(duel.lies(kTheirs, kSoon));
+    CHECK(duel.lies(kTheirs, kSoon) != duel.pitch.shoves);
+    CHECK_FALSE(duel.lies(kTheirs, kSoon));
+    duel.opponentsGiveUpOne();
+    CHECK_FALSE(duel.stalls.isGivenUp());  // never in our half
+    for (const bool given : {true, true, true, false}) CHECK(duel.lies(kTheirs, kSoon) == given);
+    duel.stalls.forget();
+    CHECK(duel.lies(kTheirs, kSoon));
+  }
 }
 
-TEST_CASE("libero gives no stalls up to opponents that lean on in two more than they give up", "[unit]") {
+TEST_CASE("libero gives no stalls up to opponents that lean on in as many as it gives up first", "[unit]") {
+  for (const char* robot : {"vsss", "firasim"}) {
+    CAPTURE(robot);
+    Duel duel(robot);
+    duel.lies(kOurs, kLong);
+    if (!duel.pitch.shoves) duel.lies(kOurs, kLong);
+    CHECK_FALSE(duel.lies(kTheirs, kSoon));
+    duel.opponentsGiveUpOne();
+    CHECK(duel.lies(kTheirs, kSoon));
+  }
+}
+
+TEST_CASE("opponents that lean on far from our goal may be equals that do not know libero yet", "[unit]") {
   Duel duel;
-  duel.lies(kOurs, kLong);
-  duel.lies(kOurs, kLong);
-  CHECK_FALSE(duel.lies(kTheirs, kSoon));
-  duel.opponentsGiveUpOne();
+  for (int i = 0; i < 3; ++i) duel.lies(-0.3, kLong);
   CHECK(duel.lies(kTheirs, kSoon));
 }
 
