@@ -6,12 +6,6 @@ namespace {
 /// How many supports may join. In a large match, opponents come in threes and fours, too.
 int mostJoining(const Pitch& pitch) { return pitch.isLarge() ? 2 : 1; }
 
-/// Whether the ball is so near their end wall that a second robot at it may have to stand in their area,
-/// where only the striker may be.
-bool isBesideArea(const Pitch& pitch, Vec2 ball) {
-  return !pitch.isLarge() && ball.x > pitch.half_length - pitch.area_front - pitch.front;
-}
-
 }  // namespace
 
 /// Two robots that push in one direction win a ball that one alone could only hold. Where two cannot move an
@@ -21,8 +15,7 @@ std::optional<Move> join(const Picture& picture, int robot, Memory& memory) {
   const BallState& ball = picture.ball.now();
   const Tuning& tuning = picture.tuning;
   const bool helps = picture.pitch.shoves || picture.pitch.isLarge();
-  if (!helps || isBesideArea(picture.pitch, ball.position) ||
-      picture.rank[static_cast<std::size_t>(robot)] >= mostJoining(picture.pitch) ||
+  if (!helps || picture.rank[static_cast<std::size_t>(robot)] >= mostJoining(picture.pitch) ||
       picture.own(robot).pose.position.x > ball.position.x ||
       squaredNorm(ball.velocity) > tuning.pushable * tuning.pushable ||
       picture.opponentsNear(ball.position, tuning.rival_far) == 0)

@@ -45,18 +45,6 @@ TEST_CASE("the first support behind a ball that an opponent fights for plays it,
   CHECK_FALSE(joins(3, fast, 0.1, 0.3));
 }
 
-TEST_CASE("beside their area no second robot joins, but in large matches", "[unit]") {
-  for (const int size : {3, 5}) {
-    const libero::Pitch pitch(test::infoOf(size));
-    BallState wall;
-    wall.position = {pitch.half_length - pitch.area_front - pitch.touch,
-                     pitch.half_width - pitch.ball_radius - 0.001};
-    CHECK(joins(size, wall, 0.1, 0.3));
-    wall.position.x += 0.05;
-    CHECK(joins(size, wall, 0.1, 0.3) == pitch.isLarge());
-  }
-}
-
 TEST_CASE("in a large match a second support joins, but not a third", "[unit]") {
   BallState wall;
   wall.position.y = libero::Pitch(test::infoOf(5)).half_width - 0.022;
