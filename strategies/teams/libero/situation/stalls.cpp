@@ -58,7 +58,7 @@ double Stalls::stallsAfter(const Picture& picture) const {
 /// each. It ends once they have leant on as often as libero goes first.
 bool Stalls::opponentsDoToo(const Pitch& pitch) const {
   const int first = pitch.shoves ? 1 : 2;
-  return given_ < first + 3 * taken_ && leaned_ < first + taken_;
+  return given_ < first + 3 * taken_ && leaned_ < 2 + taken_;
 }
 
 /// Opponents that have given up none get the ball only where it is far from our goal.
