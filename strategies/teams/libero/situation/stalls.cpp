@@ -55,7 +55,7 @@ double Stalls::stallsAfter(const Picture& picture) const {
 
 /// Some stalls go first, or nobody would begin: two where robots cannot shove, as an offer costs less there.
 /// Some of the stalls that they give up escape notice, since the ball leaves at once, so three count for
-/// each. It ends once they have leant on as often as libero goes first.
+/// each. Leaning on may be a mishap once.
 bool Stalls::opponentsDoToo(const Pitch& pitch) const {
   const int first = pitch.shoves ? 1 : 2;
   return given_ < first + 3 * taken_ && leaned_ < 2 + taken_;
