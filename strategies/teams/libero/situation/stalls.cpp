@@ -22,9 +22,6 @@ bool opponentsWithdraw(const Picture& picture) {
   return true;
 }
 
-/// Whether the ball is in the quarter of the field before their goal.
-bool isDeep(const Pitch& pitch, Vec2 ball) { return ball.x > 0.5 * pitch.half_length; }
-
 }  // namespace
 
 void Stalls::watch(const Picture& picture) {
@@ -66,7 +63,7 @@ void Stalls::begin(const Picture& picture, double horizon) {
   const Vec2 ball = picture.ball.now().position;
   if (ball.x < 0.0) {
     watching_ = horizon;
-  } else if (opponentsDoToo(picture.pitch) && (taken_ > 0 || isDeep(picture.pitch, ball))) {
+  } else if (opponentsDoToo(picture.pitch) && (taken_ > 0 || ball.x > 0.5 * picture.pitch.half_length)) {
     withdrawing_ = horizon;
     place_ = ball;
     ++given_;
@@ -77,8 +74,7 @@ void Stalls::watchOpponents(const Picture& picture) {
   const bool withdraw = opponentsWithdraw(picture);
   if (withdraw) ++taken_;
   const bool leans = picture.stuck > picture.tuning.patience;
-  // Equals that do not know us yet lean on in the rest of our half, too.
-  if (leans && !withdraw && isDeep(picture.pitch, -picture.ball.now().position)) ++leaned_;
+  if (leans && !withdraw) ++leaned_;
   if (withdraw || leans) watching_ = 0.0;
 }
 

@@ -28,7 +28,7 @@ class Stalls {
 
   int given_ = 0;             // stalls of their half that libero gave up
   int taken_ = 0;             // stalls of our half that the opponents gave up
-  int leaned_ = 0;            // and those near our goal in which they leant on
+  int leaned_ = 0;            // and those in which they leant on
   double withdrawing_ = 0.0;  // [s] left
   double watching_ = 0.0;     // [s] left, of a stall in our half
   Vec2 place_;                // [m] the ball when libero began to withdraw
