@@ -215,19 +215,20 @@ bool ballBetween(const Picture& picture, const RobotState& self, const RobotStat
 }
 
 /// Whether the robot that drives `twist` is at the ball in half the time in which a contact with the keeper
-/// becomes a foul. Then it disputes the ball.
+/// becomes a foul, or of a quarter turn. Then it disputes the ball.
 bool reachesBall(const Picture& picture, const RobotState& self, Twist twist) {
   const Pitch& pitch = picture.pitch;
   const BallState& ball = picture.ball.now();
-  const double time = pitch.charge_time / 2;
+  const double time = std::min(pitch.charge_time / 2, pitch.turn_time);
   const double far = mostWay(pitch, norm(self.velocity)) + norm(ball.velocity) * time + 2 * pitch.touch;
   if (squaredNorm(ball.position - self.pose.position) > far * far) return false;
   Roll roll(pitch, self);
   RobotState there = self;
-  for (double t = pitch.tick; t < time + pitch.tick / 2; t += pitch.tick) {
+  const int ticks = static_cast<int>(std::lround(time / pitch.tick));
+  for (int i = 1; i <= ticks; ++i) {
     roll.drive(twist);
     there.pose = {roll.place, math::angleOf(roll.face)};
-    if (atBall(pitch, there, ball.position + ball.velocity * t)) return true;
+    if (atBall(pitch, there, ball.position + ball.velocity * (i * pitch.tick))) return true;
   }
   return false;
 }
