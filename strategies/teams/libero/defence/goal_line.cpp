@@ -7,8 +7,23 @@
 #include "engine/core/models/field_places.hpp"
 #include "fulbito/detail/math.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
+#include "strategies/teams/libero/motion/approach.hpp"
 
 namespace fulbito::libero {
+namespace {
+
+/// The heading [rad] on a circle round a ball that lies on the keeper's way back to `place`; empty if its way
+/// is free. A keeper that drove on would push the ball into its own goal.
+std::optional<double> headingRoundBall(const Pitch& pitch, Vec2 self, Vec2 place, Vec2 ball) {
+  const Vec2 way = place - self, to_ball = ball - self;
+  const double radius = pitch.touch + pitch.tuning.clearance;
+  const Vec2 local = intoFrame(unitOr(way, {-1.0, 0.0}), to_ball);
+  if (to_ball.x > 0.0 || local.x < 0.0 || local.x > norm(way) + pitch.touch || std::abs(local.y) > radius)
+    return std::nullopt;
+  return math::angleOf(to_ball) - std::copysign(tangentAngle(radius, norm(to_ball)), local.y);
+}
+
+}  // namespace
 
 std::optional<double> crossing(const Picture& picture, double line) {
   Vec2 before = picture.ball.sample(0);
@@ -87,6 +102,10 @@ Twist slideTo(const Picture& picture, const RobotState& self, double line, doubl
                 std::clamp(pitch.tuning.rest_gain * ahead, -pitch.speed, pitch.speed),
             std::clamp(pitch.tuning.push_gain * foldedError(along, self.pose.heading), -pitch.turn_rate / 2,
                        pitch.turn_rate / 2)};
+  }
+  if (std::abs(dx) > pitch.front) {
+    const auto round = headingRoundBall(pitch, self.pose.position, {line, y}, picture.ball.sample(1));
+    if (round) return alongHeading(pitch, self, *round, pitch.speed);
   }
   if (std::abs(dx) > pitch.front || std::abs(dy) > 2 * pitch.goal_half)
     return restAt(pitch, self, {line, y}, math::kPi / 2, pitch.ball_radius);

@@ -59,6 +59,10 @@ double roundGap(const Pitch& pitch, double x) {
 
 double roundRadius(const Pitch& pitch, double x) { return pitch.touch + roundGap(pitch, x); }
 
+double tangentAngle(double radius, double away) {
+  return away > radius ? math::asin(radius / away) : math::kPi / 2 * (2.0 - away / radius);
+}
+
 double approachHeading(const Pitch& pitch, Vec2 robot, Vec2 contact, double direction, double radius,
                        int& side) {
   const Vec2 way = contact - robot;
@@ -68,8 +72,7 @@ double approachHeading(const Pitch& pitch, Vec2 robot, Vec2 contact, double dire
   int turn = alpha < 0.0 ? -1 : 1;
   if (std::abs(alpha) > math::kPi - pitch.tuning.turn_in && side != 0) turn = side;
   side = turn;
-  const double most = d > radius ? math::asin(radius / d) : math::kPi / 2 * (2.0 - d / radius);
-  return bearing + turn * std::min(pitch.tuning.sharpness * std::abs(alpha), most);
+  return bearing + turn * std::min(pitch.tuning.sharpness * std::abs(alpha), tangentAngle(radius, d));
 }
 
 Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec2 direction, double round,

@@ -13,6 +13,10 @@ double roundGap(const Pitch& pitch, double x);
 /// Radius [m] of the circle on which a robot drives round a ball at `x` [m].
 double roundRadius(const Pitch& pitch, double x);
 
+/// Angle [rad] between the direction to a ball `away` [m] and the way past it on a circle of `radius` [m]:
+/// the tangent, or farther off the ball where the robot is within the circle.
+double tangentAngle(double radius, double away);
+
 /// Heading [rad] of the field that leads behind `contact` and through it along `direction` [rad]: tangents to
 /// a circle of `radius` [m] about the contact, then the N-posture field (Univector, 3.1).
 /// `side` is the direction round the ball, kept while the robot is right in front of it.

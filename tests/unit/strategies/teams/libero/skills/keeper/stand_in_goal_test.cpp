@@ -24,6 +24,18 @@ TEST_CASE("libero's keeper keeps its line before a fast ball that it could be fi
   }
 }
 
+// As after a clearance that an opponent stopped: the keeper has passed the ball, and must go home.
+TEST_CASE("libero's keeper drives round a ball on its way home, not through it", "[unit]") {
+  for (const Vec2 ball : {Vec2{-0.62, 0.0}, Vec2{-0.62, 0.03}, Vec2{-0.66, -0.02}, Vec2{-0.6, 0.06}}) {
+    CAPTURE(ball.x, ball.y);
+    Placement scene;
+    scene.ball = ball;
+    scene.robots[0] = {Pose2{{-0.48, 0.01}, math::kPi / 2}, Pose2{{0.1, -0.1}, 0.0}};
+    scene.robots[1] = {Pose2{{0.7, 0.0}, math::kPi / 2}, Pose2{{-0.59, 0.12}, math::kPi / 2}};
+    test::checkHolds(scene, 1.5);
+  }
+}
+
 // One that runs out at the taker opens both corners, and takers here shoot at the corners.
 TEST_CASE("libero's keeper begins their penalty side on in the middle of its goal, and stays there",
           "[unit]") {
