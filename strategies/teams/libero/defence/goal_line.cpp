@@ -52,17 +52,15 @@ double evenRestPlace(const Picture& picture) {
 }
 
 bool shotComes(const Picture& picture) {
-  if (norm(picture.ball.now().velocity) <= picture.tuning.rolls) return false;
   const auto shot = crossing(picture, -picture.pitch.half_length);
   return shot && std::abs(*shot) < picture.pitch.goal_half + picture.pitch.ball_radius;
 }
 
 bool mustSave(const Picture& picture, int robot) {
   const Pitch& pitch = picture.pitch;
-  const auto shot = crossing(picture, -pitch.half_length);
-  if (!shot || std::abs(*shot) > pitch.goal_half + pitch.ball_radius) return false;
-  return picture.own(robot).pose.position.x < -pitch.half_length + pitch.area_front + pitch.bodies &&
-         picture.ball.now().position.x > picture.own(robot).pose.position.x;
+  const Vec2 place = picture.own(robot).pose.position;
+  return shotComes(picture) && place.x < -pitch.half_length + pitch.area_front + pitch.bodies &&
+         picture.ball.now().position.x > place.x;
 }
 
 bool closesEndWall(const Picture& picture, const RobotState& self) {

@@ -21,7 +21,7 @@ std::optional<double> crossing(const Picture& picture, double line);
 /// one more time, so it stands nearer to the other.
 double evenRestPlace(const Picture& picture);
 
-/// Whether a ball rolls into the own goal or at a post, and is not slow.
+/// Whether the ball rolls into the own goal or at a post within the forecast, however slowly.
 bool shotComes(const Picture& picture);
 
 /// Whether the ball rolls into the own goal and `robot`, which is near the goal, must save it.

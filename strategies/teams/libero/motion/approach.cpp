@@ -49,12 +49,24 @@ double alongWalls(const Pitch& pitch, Vec2 robot, double heading) {
   return math::angleOf(kept);
 }
 
+/// The widest gap [m] on the way round a ball.
+double widestGap(const Pitch& pitch) {
+  const double speed = enteringSpeed(pitch);
+  return std::min(speed * speed / (2 * pitch.braking), pitch.robot_half);
+}
+
+/// Whether a robot that drove straight on would send the ball into its own goal.
+bool wouldScoreAtHome(const Pitch& pitch, Vec2 robot, Vec2 ball) {
+  const Vec2 way = ball - robot;
+  if (way.x >= 0.0) return false;
+  return std::abs(ball.y - way.y / way.x * (pitch.half_length + ball.x)) < pitch.goal_half;
+}
+
 }  // namespace
 
 double roundGap(const Pitch& pitch, double x) {
-  const double speed = enteringSpeed(pitch), way = speed * speed / (2 * pitch.braking);
   const double part = std::clamp((1.0 + x / pitch.half_length) / 2, 0.0, 1.0);
-  return std::max(pitch.tuning.clearance, part * std::min(way, pitch.robot_half));
+  return std::max(pitch.tuning.clearance, part * widestGap(pitch));
 }
 
 double roundRadius(const Pitch& pitch, double x) { return pitch.touch + roundGap(pitch, x); }
@@ -83,6 +95,8 @@ Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec
   const double along = math::angleOf(direction), behind = -local.x;
   const double least = pitch.ball_radius + tuning.clearance;
   if (behind < least || std::abs(local.y) > cone * behind) {
+    if (wouldScoreAtHome(pitch, self.pose.position, contact))
+      round = std::max(round, pitch.touch + widestGap(pitch));
     const double heading = approachHeading(pitch, ahead, contact, along,
                                            behind < least ? round : roundRadius(pitch, contact.x), side);
     const Vec2 way = contact - self.pose.position;

@@ -24,9 +24,10 @@ double approachHeading(const Pitch& pitch, Vec2 robot, Vec2 contact, double dire
                        int& side);
 
 /// Drives so as to hit `contact` along the unit vector `direction`. While the robot is in front of the ball,
-/// it drives round it on a circle of radius `round` [m], slowly enough for that circle. Within `cone`,
-/// lateral per forward distance, it follows the line behind the ball, slowly enough to be aligned before the
-/// touch. `rolling` is the ball's velocity [m/s].
+/// it drives round it on a circle of radius `round` [m], slowly enough for that circle. The circle is as wide
+/// as at their goal where straight on would send the ball into the own goal. Within `cone`, lateral per
+/// forward distance, it follows the line behind the ball, slowly enough to be aligned before the touch.
+/// `rolling` is the ball's velocity [m/s].
 Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec2 direction, double round,
                    double cone, Vec2 rolling, int& side);
 

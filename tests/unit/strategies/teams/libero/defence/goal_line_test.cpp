@@ -45,6 +45,40 @@ TEST_CASE("libero's keeper knows where a ball crosses its line", "[unit]") {
   CHECK(crossings > 20);
 }
 
+// The striker comes home at full speed, and slides. The keeper turns slowly, and must not run out at a ball
+// that rolls past it.
+TEST_CASE("a saved shot that rolls about in front of libero's goal seldom goes in", "[unit]") {
+  struct Shot {
+    Vec2 ball, velocity;
+    double keeper;
+    Pose2 striker;
+  };
+  const Shot shots[] = {
+      {{0.5340, -0.4166}, {-1.8880, 0.5778}, -0.0178, {{0.5508, 0.5278}, -2.9267}},
+      {{0.1345, 0.0611}, {-1.2045, -0.1714}, 0.0038, {{0.6461, -0.5002}, 0.6757}},
+      {{0.5643, 0.5103}, {-1.7288, -0.4480}, 0.0214, {{0.6142, -0.5059}, 2.0588}},
+      {{0.5313, -0.0468}, {-1.9869, 0.0896}, -0.0020, {{0.6395, -0.4695}, -0.5179}},
+      {{0.4430, -0.5663}, {-1.8013, 0.6200}, -0.0261, {{0.6267, 0.5498}, -0.5857}},
+      {{0.6653, 0.5151}, {-1.8733, -0.4595}, 0.0200, {{0.6137, -0.4635}, -1.2366}},
+      {{0.4843, -0.6242}, {-1.8250, 0.6855}, -0.0278, {{0.6015, 0.4568}, 2.7398}},
+      {{0.5856, -0.5524}, {-1.7948, 0.6404}, -0.0227, {{0.5631, 0.5301}, -3.0229}},
+  };
+  int conceded = 0;
+  for (const Shot& shot : shots) {
+    for (int run = 0; run < 9; ++run) {
+      Placement scene;
+      scene.ball = shot.ball;
+      scene.ball_velocity = shot.velocity;
+      scene.robots[0] = {
+          Pose2{{-0.695, shot.keeper}, math::kPi / 2},
+          Pose2{shot.striker.position + Vec2{run % 3 - 1.0, run / 3 - 1.0} * 0.01, shot.striker.heading}};
+      conceded += test::playedFrom(scene, 2.0, "idle", "firasim").referee().score[1];
+    }
+  }
+  CAPTURE(conceded);
+  CHECK(conceded <= 12);
+}
+
 TEST_CASE("libero's keeper stands nearer to the post that a pushed ball reaches sooner", "[unit]") {
   const MatchInfo info = test::infoOf(3);
   const libero::Pitch pitch(info);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
@@ -48,6 +49,24 @@ TEST_CASE("libero's way round the ball is wide near their goal and narrow near o
     CHECK(libero::roundGap(pitch, 0.0) == Approx(std::max(theirs / 2, pitch.tuning.clearance)));
     CHECK(libero::roundGap(pitch, -pitch.half_length) == pitch.tuning.clearance);
     CHECK(libero::roundRadius(pitch, 0.5) - libero::roundGap(pitch, 0.5) == Approx(pitch.touch));
+  }
+}
+
+TEST_CASE("libero's way round a ball is wide where straight on would send it into the own goal", "[unit]") {
+  for (const char* model : {"vsss", "firasim"}) {
+    CAPTURE(model);
+    const libero::Pitch pitch(test::infoOf(3, model));
+    const auto turn = [&](double y) {
+      RobotState robot;
+      robot.pose = {{-0.2, y}, math::kPi};
+      const Vec2 ball{-0.45, y};
+      int side = 0;
+      return std::abs(libero::driveThrough(pitch, robot, ball, {1.0, 0.0}, libero::roundRadius(pitch, ball.x),
+                                           pitch.tuning.cone, {}, side)
+                          .angular);
+    };
+    CHECK(turn(pitch.goal_half - 0.01) > 1.1 * turn(pitch.goal_half + 0.01));
+    CHECK(turn(0.01) == Approx(turn(pitch.goal_half - 0.01)));
   }
 }
 
