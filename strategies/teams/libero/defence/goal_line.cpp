@@ -63,6 +63,13 @@ bool mustSave(const Picture& picture, int robot) {
          picture.ball.now().position.x > place.x;
 }
 
+bool ballAlongEndWall(const Picture& picture, double width) {
+  const Pitch& pitch = picture.pitch;
+  const Vec2 ball = picture.ball.now().position;
+  return ball.x < -pitch.half_length + pitch.touch && std::abs(ball.y) > pitch.bodies &&
+         std::abs(ball.y) < width;
+}
+
 bool closesEndWall(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
   const double y = picture.ball.now().position.y, out = std::copysign(1.0, y);

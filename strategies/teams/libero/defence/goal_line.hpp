@@ -27,6 +27,10 @@ bool shotComes(const Picture& picture);
 /// Whether the ball rolls into the own goal and `robot`, which is near the goal, must save it.
 bool mustSave(const Picture& picture, int robot);
 
+/// Whether the ball lies or rolls along the own end wall, at the edge of the mouth or beside it, less than
+/// `width` [m] beside the goal's centre.
+bool ballAlongEndWall(const Picture& picture, double width);
+
 /// Whether the keeper is at the end wall on the goal's side of the ball: the wall is behind it, so that no
 /// ball passes there.
 bool closesEndWall(const Picture& picture, const RobotState& self);

@@ -6,17 +6,6 @@
 #include "strategies/teams/libero/playbook/skills.hpp"
 
 namespace fulbito::libero::keeper {
-namespace {
-
-/// Whether the ball lies or rolls along the own end wall, beside the goal or at the edge of its mouth.
-bool alongEndWall(const Picture& picture) {
-  const Pitch& pitch = picture.pitch;
-  const Vec2 ball = picture.ball.now().position;
-  return ball.x < -pitch.half_length + pitch.touch && std::abs(ball.y) > pitch.bodies &&
-         std::abs(ball.y) < pitch.area_half + pitch.field.goal_area_depth;
-}
-
-}  // namespace
 
 /// Closes the near post with a face that deflects the ball into the field. The keeper stands within the
 /// mouth, so that a ball pushed along the wall hits the middle of its face. A hit beside the middle would
@@ -26,7 +15,8 @@ std::optional<Move> guardPost(const Picture& picture, int robot, Memory& /*memor
   const Pitch& pitch = picture.pitch;
   const RobotState& self = picture.own(robot);
   // A keeper nearer to the line than the ball can still save a shot.
-  if (!alongEndWall(picture) || (picture.ballFrom(robot).x > pitch.ball_radius && shotComes(picture)))
+  if (!ballAlongEndWall(picture, pitch.area_half + pitch.field.goal_area_depth) ||
+      (picture.ballFrom(robot).x > pitch.ball_radius && shotComes(picture)))
     return std::nullopt;
   const Vec2 ball = picture.ball.now().position;
   const double side = ball.y > 0.0 ? 1.0 : -1.0;
