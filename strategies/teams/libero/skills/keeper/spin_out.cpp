@@ -12,11 +12,10 @@ namespace fulbito::libero::keeper {
 std::optional<Move> spinOut(const Picture& picture, int robot, Memory& /*memory*/) {
   const Pitch& pitch = picture.pitch;
   if (!pitch.shoves || !ballAlongEndWall(picture, pitch.goal_half + pitch.touch)) return std::nullopt;
-  const RobotState& self = picture.own(robot);
-  const Vec2 ball = picture.ball.now().position, rel = ball - self.pose.position;
+  const Vec2 ball = picture.ball.now().position, rel = picture.ballFrom(robot);
   const bool beside = norm(rel) < pitch.touch && std::abs(rel.y) > std::abs(rel.x);
   if (!beside || picture.opponentsNear(ball, pitch.touch + pitch.front) == 0) return std::nullopt;
-  return Move{.twist = {0.0, spinSense(self.pose.position, ball, {1.0, 0.0}) * pitch.turn_rate},
+  return Move{.twist = {0.0, spinSense({}, rel, {1.0, 0.0}) * pitch.turn_rate},
               .reason = "an opponent presses on the ball at the post",
               .ball = ball};
 }
