@@ -51,6 +51,19 @@ double evenRestPlace(const Picture& picture) {
          (wayFromRest(pitch.pace, right) - wayFromRest(pitch.pace, left)) / 2;
 }
 
+std::optional<double> shotAtKeeper(const Picture& picture) {
+  const Pitch& pitch = picture.pitch;
+  const auto shot = crossing(picture, keeperLine(pitch) + pitch.ball_radius);
+  return shot && std::abs(*shot) < pitch.goal_half + pitch.robot_corner ? shot : std::nullopt;
+}
+
+double withinMouth(const Pitch& pitch, double y) {
+  const double most = pitch.goal_half - pitch.ball_radius;
+  return std::clamp(y, -most, most);
+}
+
+double readyPlace(const Picture& picture) { return withinMouth(picture.pitch, evenRestPlace(picture)); }
+
 bool shotComes(const Picture& picture) {
   const auto shot = crossing(picture, -picture.pitch.half_length);
   return shot && std::abs(*shot) < picture.pitch.goal_half + picture.pitch.ball_radius;

@@ -17,6 +17,16 @@ inline double keeperLine(const Pitch& pitch) { return keeperDepth(pitch) - pitch
 /// not.
 std::optional<double> crossing(const Picture& picture, double line);
 
+/// y [m] at which a ball crosses the keeper's line, in front of the mouth or less than a robot beside it;
+/// empty if it does not.
+std::optional<double> shotAtKeeper(const Picture& picture);
+
+/// `y` [m] limited to places of a keeper within the mouth.
+double withinMouth(const Pitch& pitch, double y);
+
+/// y [m] within the mouth of a keeper that awaits no shot.
+double readyPlace(const Picture& picture);
+
 /// y [m] of a keeper that awaits a ball which opponents push: equal gaps to both posts would leave the far
 /// one more time, so it stands nearer to the other.
 double evenRestPlace(const Picture& picture);

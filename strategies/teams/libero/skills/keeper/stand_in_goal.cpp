@@ -25,13 +25,10 @@ double lead(const Picture& picture, double line) {
 std::optional<Move> standInGoal(const Picture& picture, int robot, Memory& /*memory*/) {
   const Pitch& pitch = picture.pitch;
   const double line = keeperLine(pitch);
-  const auto shot = crossing(picture, line + pitch.ball_radius);
-  const bool comes = shot && std::abs(*shot) < pitch.goal_half + pitch.robot_corner;
-  const double wanted = comes ? *shot + lead(picture, line) : evenRestPlace(picture);
-  const double most = pitch.goal_half - pitch.ball_radius;
-  const double y = std::clamp(wanted, -most, most);
+  const auto shot = shotAtKeeper(picture);
+  const double y = shot ? withinMouth(pitch, *shot + lead(picture, line)) : readyPlace(picture);
   return Move{.twist = slideTo(picture, picture.own(robot), line, y),
-              .reason = comes ? "the ball will cross the line there" : "ready for both posts",
+              .reason = shot ? "the ball will cross the line there" : "ready for both posts",
               .place = Vec2{line, y}};
 }
 
