@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include "strategies/teams/libero/defence/goal_line.hpp"
